@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CORRAL_ERRORS_H
+#define CORRAL_ERRORS_H
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+/// \file
+/// The errors of the library, one class for each kind of failure. Every message says who
+/// complains, what was given and what was expected, on one line.
+namespace corral {
+
+/// The caller broke a documented precondition. Never thrown for input that is merely hard.
+struct Invalid_input : std::invalid_argument
+{
+  using std::invalid_argument::invalid_argument;
+};
+
+/// A text is not a number or a polynomial. `position` is the offset in bytes of the first
+/// character that cannot be read.
+struct Parse_error : Invalid_input
+{
+  Parse_error(const std::string& message, std::size_t where) : Invalid_input(message), position(where) {}
+  std::size_t position;
+};
+
+/// A result would not fit the stated budget (cells, terms, memory). The request is well formed.
+struct Budget_exceeded : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// The caller's progress callback asked to stop.
+struct Cancelled : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// The floating-point environment does not round as IEEE 754 says, so that no bound computed
+/// in it could be trusted.
+struct Unsafe_environment : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// A file could not be written whole. Nothing is left under the requested name.
+struct Output_error : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+} // namespace corral
+
+#endif

@@ -1,0 +1,1 @@
+target_sources(corral PRIVATE number/Rational.cpp)
