@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "Prime_field.h"
+
+#include <mutex>
+
+namespace corral::exact {
+
+using Element = Prime_field::Element;
+
+Prime_field::Prime_field(std::uint64_t prime) : prime_(prime)
+{
+  std::uint64_t inverse = prime; // right modulo 8; each step doubles the number of right bits
+  for (int i = 0; i < 5; ++i) inverse *= 2 - prime * inverse;
+  inverse_ = ~inverse + 1;
+  one_ = static_cast<std::uint64_t>((Wide{1} << 64) % prime);
+  square_ = static_cast<std::uint64_t>(Wide{one_} * one_ % prime);
+}
+
+Element Prime_field::inverse(Element a) const
+{
+  Element power = a;
+  Element result = one_;
+  for (std::uint64_t exponent = prime_ - 2; exponent != 0; exponent >>= 1) {
+    if ((exponent & 1) != 0) result = multiply(result, power);
+    power = multiply(power, power);
+  }
+  return result;
+}
+
+std::uint64_t large_prime(std::size_t number)
+{
+  static std::mutex mutex;
+  static std::vector<std::uint64_t> primes; // a memo of constants
+  const std::scoped_lock lock(mutex);
+  while (primes.size() <= number) {
+    Integer candidate = primes.empty() ? Integer(Integer(1) << 62) : Integer(primes.back());
+    do --candidate;
+    while (mpz_probab_prime_p(candidate.get_mpz_t(), 30) == 0);
+    primes.push_back(candidate.get_ui());
+  }
+  return primes[number];
+}
+
+namespace {
+
+void trim(Modular_polynomial& p)
+{
+  while (!p.empty() && p.back() == 0) p.pop_back();
+}
+
+/// Replaces p by its remainder modulo q.
+void reduce(const Prime_field& field, Modular_polynomial& p, const Modular_polynomial& q)
+{
+  const Element inverse = field.inverse(q.back());
+  while (p.size() >= q.size()) {
+    const Element factor = field.multiply(p.back(), inverse);
+    const std::size_t shift = p.size() - q.size();
+    for (std::size_t i = 0; i + 1 < q.size(); ++i)
+      p[shift + i] = field.subtract(p[shift + i], field.multiply(factor, q[i]));
+    p.pop_back();
+    trim(p);
+  }
+}
+
+Element power(const Prime_field& field, Element base, std::size_t exponent)
+{
+  Element result = field.one();
+  for (; exponent != 0; exponent >>= 1, base = field.multiply(base, base))
+    if ((exponent & 1) != 0) result = field.multiply(result, base);
+  return result;
+}
+
+} // namespace
+
+Modular_polynomial image(const Prime_field& field, const std::vector<Integer>& p)
+{
+  Modular_polynomial result(p.size());
+  for (std::size_t i = 0; i < p.size(); ++i) result[i] = field.from(p[i]);
+  trim(result);
+  return result;
+}
+
+Modular_polynomial modular_gcd(const Prime_field& field, Modular_polynomial p, Modular_polynomial q)
+{
+  while (!q.empty()) {
+    reduce(field, p, q);
+    std::swap(p, q);
+  }
+  if (p.empty()) return p;
+  const Element inverse = field.inverse(p.back());
+  for (Element& c : p) c = field.multiply(c, inverse);
+  return p;
+}
+
+Element modular_resultant(const Prime_field& field, Modular_polynomial p, Modular_polynomial q)
+{
+  Element result = field.one();
+  if (p.size() < q.size()) {
+    if ((p.size() - 1) % 2 == 1 && (q.size() - 1) % 2 == 1) result = field.subtract(0, result);
+    std::swap(p, q);
+  }
+  // res(p, q) = (-1)^(deg p deg q) lc(q)^(deg p - deg r) res(q, r) with r = p mod q
+  while (q.size() > 1) {
+    const std::size_t n = p.size() - 1;
+    const std::size_t m = q.size() - 1;
+    reduce(field, p, q);
+    if (p.empty()) return 0;
+    result = field.multiply(result, power(field, q.back(), n - (p.size() - 1)));
+    if (n % 2 == 1 && m % 2 == 1) result = field.subtract(0, result);
+    std::swap(p, q);
+  }
+  return field.multiply(result, power(field, q.front(), p.size() - 1));
+}
+
+void Chinese_remainder::add(std::uint64_t prime, const std::vector<std::uint64_t>& residues)
+{
+  if (values_.empty()) {
+    values_.resize(residues.size());
+    modulus_ = 1;
+  }
+  const Prime_field field(prime);
+  const Element inverse = field.inverse(field.from(modulus_));
+  for (std::size_t i = 0; i < residues.size(); ++i) {
+    const Element known = field.from(values_[i]);
+    const Element step = field.multiply(field.subtract(field.from_residue(residues[i]), known), inverse);
+    mpz_addmul_ui(values_[i].get_mpz_t(), modulus_.get_mpz_t(), field.residue(step));
+  }
+  modulus_ *= prime;
+}
+
+std::vector<Integer> Chinese_remainder::symmetric() const
+{
+  std::vector<Integer> result = values_;
+  const Integer half = modulus_ / 2;
+  for (Integer& value : result)
+    if (value > half) value -= modulus_;
+  return result;
+}
+
+void Chinese_remainder::clear()
+{
+  modulus_ = 1;
+  values_.clear();
+}
+
+} // namespace corral::exact
