@@ -1,1 +1,5 @@
-target_sources(corral PRIVATE number/Rational.cpp)
+target_sources(corral PRIVATE
+  number/Double_bracket.cpp
+  number/Environment.cpp
+  number/Outward_rounding.cpp
+  number/Rational.cpp)

@@ -92,21 +92,17 @@ private:
 /// the form takes the node over whole (`decide`, which emits its cells); `split` makes the
 /// children named by a mask and returns those that may hold a zero; `descend` makes one child of
 /// the last split at that level the current node.
+// clang-format off
 template <class F, std::size_t D>
-concept SubdivisionForm = requires(F form, const Subdivision_node<D>& node, unsigned mask)
-{
-  {
-    form.begin(node)
-    } -> std::same_as<bool>;
-  {
-    form.decides(node)
-    } -> std::same_as<bool>;
-  form.decide(node);
-  {
-    form.split(node, mask)
-    } -> std::same_as<unsigned>;
-  form.descend(node, mask);
-};
+concept SubdivisionForm =
+  requires(F form, const Subdivision_node<D>& node, unsigned mask) {
+    { form.begin(node) } -> std::same_as<bool>;
+    { form.decides(node) } -> std::same_as<bool>;
+    form.decide(node);
+    { form.split(node, mask) } -> std::same_as<unsigned>;
+    form.descend(node, mask);
+  };
+// clang-format on
 
 /// The recursive part of `subdivide`. \pre `node` is the current node of `form`.
 template <std::size_t D, SubdivisionForm<D> Form>

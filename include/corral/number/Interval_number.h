@@ -19,12 +19,13 @@ namespace corral {
 /// specialisation offers
 ///  - `name`           : `std::string_view`, the name by which programs choose the type;
 ///  - `is_guaranteed`  : whether the inclusion contract below holds, rounding included;
+///  - `is_exact`       : whether `enclose` and arithmetic never round;
 ///  - `Scope`          : a default-constructible guard. While one lives on a thread, arithmetic
 ///                       with `I` on this thread is valid; its constructor throws
 ///                       `Unsafe_environment` if it cannot be;
 ///  - `enclose(Rational)`        : the tightest `I` that contains the number;
 ///  - `hull(I, I)`               : the smallest interval that contains both;
-///  - `lower(I)`, `upper(I)`     : an end point as a point interval, exactly;
+///  - `lower(I)`, `upper(I)`     : an end point, which must be finite, as a point interval, exactly;
 ///  - `exact_lower(I)`, `exact_upper(I)` : an end point as `std::optional<Rational>`, empty
 ///                       where the interval is unbounded on that side (or not a number);
 ///  - `lower_sign(I)`, `upper_sign(I)`   : the sign of an end point, -1, 0 or 1. A value that is
@@ -38,64 +39,41 @@ struct Interval_traits;
 /// *inclusion*: for every operation op and all reals x in X, y in Y, `X op Y` contains x op y.
 /// A type whose traits say `is_guaranteed == false` promises no inclusion, and no verdict
 /// drawn from it counts as proved.
+// clang-format off
 template <class I>
-concept IntervalNumber = std::copyable<I> && std::default_initializable<I> && requires(I a, const I b,
-                                                                                       const Rational& q)
-{
-  {
-    Interval_traits<I>::name
-    } -> std::convertible_to<std::string_view>;
-  {
-    Interval_traits<I>::is_guaranteed
-    } -> std::convertible_to<bool>;
-  typename Interval_traits<I>::Scope;
-  {
-    Interval_traits<I>::enclose(q)
-    } -> std::same_as<I>;
-  {
-    Interval_traits<I>::hull(b, b)
-    } -> std::same_as<I>;
-  {
-    Interval_traits<I>::lower(b)
-    } -> std::same_as<I>;
-  {
-    Interval_traits<I>::upper(b)
-    } -> std::same_as<I>;
-  {
-    Interval_traits<I>::exact_lower(b)
-    } -> std::same_as<std::optional<Rational>>;
-  {
-    Interval_traits<I>::exact_upper(b)
-    } -> std::same_as<std::optional<Rational>>;
-  {
-    Interval_traits<I>::lower_sign(b)
-    } -> std::same_as<int>;
-  {
-    Interval_traits<I>::upper_sign(b)
-    } -> std::same_as<int>;
-  {
-    b + b
-    } -> std::convertible_to<I>;
-  {
-    b - b
-    } -> std::convertible_to<I>;
-  {
-    b* b
-    } -> std::convertible_to<I>;
-  {
-    -b
-    } -> std::convertible_to<I>;
-  {
-    square(b)
-    } -> std::convertible_to<I>;
-  a += b;
-  a -= b;
-  a *= b;
-};
+concept IntervalNumber =
+  std::copyable<I> && std::default_initializable<I> && std::convertible_to<int, I>
+  && requires(I a, const I b, const Rational& q) {
+    { Interval_traits<I>::name } -> std::convertible_to<std::string_view>;
+    { Interval_traits<I>::is_guaranteed } -> std::convertible_to<bool>;
+    { Interval_traits<I>::is_exact } -> std::convertible_to<bool>;
+    typename Interval_traits<I>::Scope;
+    { Interval_traits<I>::enclose(q) } -> std::same_as<I>;
+    { Interval_traits<I>::hull(b, b) } -> std::same_as<I>;
+    { Interval_traits<I>::lower(b) } -> std::same_as<I>;
+    { Interval_traits<I>::upper(b) } -> std::same_as<I>;
+    { Interval_traits<I>::exact_lower(b) } -> std::same_as<std::optional<Rational>>;
+    { Interval_traits<I>::exact_upper(b) } -> std::same_as<std::optional<Rational>>;
+    { Interval_traits<I>::lower_sign(b) } -> std::same_as<int>;
+    { Interval_traits<I>::upper_sign(b) } -> std::same_as<int>;
+    { b + b } -> std::convertible_to<I>;
+    { b - b } -> std::convertible_to<I>;
+    { b * b } -> std::convertible_to<I>;
+    { -b } -> std::convertible_to<I>;
+    { square(b) } -> std::convertible_to<I>;
+    a += b;
+    a -= b;
+    a *= b;
+  };
+// clang-format on
 
 /// Whether verdicts drawn from `I` are proofs.
 template <class I>
 inline constexpr bool is_guaranteed = Interval_traits<I>::is_guaranteed;
+
+/// Whether `I` never rounds.
+template <class I>
+inline constexpr bool is_exact = Interval_traits<I>::is_exact;
 
 /// The guard that must live on a thread while it computes with `I`.
 template <class I>

@@ -71,6 +71,7 @@ struct Interval_traits<Rational_interval>
 {
   static constexpr std::string_view name = "rational";
   static constexpr bool is_guaranteed = true;
+  static constexpr bool is_exact = true;
   struct Scope
   {
     Scope() {} // user-provided, so that an unused guard draws no warning

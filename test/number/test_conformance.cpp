@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "conformance/number_conformance.h"
+#include "number/Faulty_interval.h"
+
+#include <corral/number/Counted.h>
+#include <corral/number/Nearest_interval.h>
+#include <corral/number/Outward_interval.h>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace corral;
+using namespace corral::test;
+
+static_assert(IntervalNumber<Nearest_interval> && IntervalNumber<Outward_interval>);
+static_assert(IntervalNumber<Rational_interval> && IntervalNumber<Counted<Outward_interval>>);
+static_assert(!IntervalNumber<int> && !IntervalNumber<double> && !IntervalNumber<Rational>);
+static_assert(!is_guaranteed<Nearest_interval> && is_guaranteed<Counted<Outward_interval>>);
+
+TEST(Number_conformance, outward) { EXPECT_EQ(find_number_fault<Outward_interval>(1), ""); }
+TEST(Number_conformance, rational) { EXPECT_EQ(find_number_fault<Rational_interval>(2), ""); }
+TEST(Number_conformance, counted) { EXPECT_EQ(find_number_fault<Counted<Outward_interval>>(3), ""); }
+TEST(Number_conformance, counted_rational) { EXPECT_EQ(find_number_fault<Counted<Rational_interval>>(4), ""); }
+
+TEST(Number_conformance, wrapper_of_the_negative_controls_is_right)
+{
+  EXPECT_EQ(find_number_fault<Faulty_interval<No_fault>>(5), "");
+}
+TEST(Number_conformance, negative_control_nearest) { EXPECT_NE(find_number_fault<Nearest_interval>(5), ""); }
+TEST(Number_conformance, negative_control_wrong_direction)
+{
+  EXPECT_NE(find_number_fault<Faulty_interval<Sum_rounded_wrongly>>(5).find("wrong sum"), std::string::npos);
+}
+TEST(Number_conformance, negative_control_shrinking)
+{
+  EXPECT_NE(find_number_fault<Faulty_interval<Product_shrinks>>(5), "");
+}
+TEST(Number_conformance, negative_control_square_without_zero)
+{
+  EXPECT_NE(find_number_fault<Faulty_interval<Square_loses_zero>>(5).find("wrong square"), std::string::npos);
+}
+
+} // namespace
