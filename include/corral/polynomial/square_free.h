@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CORRAL_POLYNOMIAL_SQUARE_FREE_H
+#define CORRAL_POLYNOMIAL_SQUARE_FREE_H
+
+#include <corral/polynomial/integer_form.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace corral {
+namespace detail {
+
+/// The terms of a polynomial in any number of variables: `dimension` exponents for each coefficient.
+struct Flat_terms
+{
+  std::size_t dimension;
+  std::vector<std::uint16_t> exponents;
+  std::vector<Integer> coefficients;
+};
+
+/// Divides a non-zero polynomial by the greatest common divisor of its derivatives and itself.
+/// The sign is kept.
+[[nodiscard]] Flat_terms square_free_part(const Flat_terms& f);
+
+} // namespace detail
+
+/// \brief The product of the distinct irreducible factors of `f`, as a primitive integer polynomial:
+/// the same real and complex zeros as `f`, each factor once.
+///
+/// The leading coefficient (of the last term) has the sign of that of `f`. The square-free part of
+/// zero is zero, and that of another constant is 1 or -1.
+///
+/// \throw Budget_exceeded if the greatest common divisor does not fit in memory.
+/// \par Complexity  One or a few multivariate greatest common divisors (FLINT's modular methods).
+/// \par Reference  f / gcd(f, f_1, ..., f_D) is square-free in characteristic zero: Geddes, Czapor,
+///      Labahn, Algorithms for Computer Algebra, chapter 8.
+template <std::size_t D>
+[[nodiscard]] Polynomial<Integer, D> square_free_part(const Polynomial<Integer, D>& f)
+{
+  if (f.is_zero()) return f;
+  detail::Flat_terms flat{D, {}, {}};
+  for (const auto& term : f.terms()) {
+    flat.exponents.insert(flat.exponents.end(), term.exponents.begin(), term.exponents.end());
+    flat.coefficients.push_back(term.coefficient);
+  }
+  flat = detail::square_free_part(flat);
+  std::vector<typename Polynomial<Integer, D>::Term> terms(flat.coefficients.size());
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    std::copy_n(flat.exponents.begin() + static_cast<std::ptrdiff_t>(i * D), D, terms[i].exponents.begin());
+    terms[i].coefficient = std::move(flat.coefficients[i]);
+  }
+  return primitive_part(collect<Integer, D>(std::move(terms)));
+}
+
+/// The same for rational coefficients.
+template <std::size_t D>
+[[nodiscard]] Polynomial<Integer, D> square_free_part(const Polynomial<Rational, D>& f)
+{
+  return square_free_part(integer_primitive(f));
+}
+
+} // namespace corral
+
+#endif
