@@ -15,6 +15,8 @@ std::string_view to_string(Environment_fault fault)
     return "subnormal results are replaced by zero (flush-to-zero mode)";
   case Environment_fault::rounding_mode:
     return "the rounding mode is not to nearest";
+  case Environment_fault::directed_rounding:
+    return "operations do not follow the rounding mode (compile with -frounding-math)";
   case Environment_fault::contraction:
     return "a*b+c is computed with one rounding (compile with -ffp-contract=off)";
   case Environment_fault::reassociation:

@@ -2,4 +2,5 @@ target_sources(corral PRIVATE
   number/Double_bracket.cpp
   number/Environment.cpp
   number/Outward_rounding.cpp
-  number/Rational.cpp)
+  number/Rational.cpp
+  number/format.cpp)

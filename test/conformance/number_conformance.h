@@ -169,7 +169,7 @@ private:
   {
     const auto low = exact_lower(x);
     const auto high = exact_upper(x);
-    return "[" + (low ? to_string(*low) : "-inf") + ", " + (high ? to_string(*high) : "inf") + "]";
+    return std::string("[") + (low ? to_string(*low) : "-inf") + ", " + (high ? to_string(*high) : "inf") + "]";
   }
 
   void expect_value(const I& result, const Rational& value, const char* operation, const Operand& x,

@@ -22,6 +22,7 @@ enum class Environment_fault {
   subnormal_operands, ///< subnormal operands are read as zero (DAZ)
   subnormal_results,  ///< subnormal results are flushed to zero (FTZ)
   rounding_mode,      ///< operations do not round to nearest
+  directed_rounding,  ///< operations do not follow the rounding mode
   contraction,        ///< a*b+c is rounded once
   reassociation       ///< the compiler reorders sums
 };
