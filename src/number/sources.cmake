@@ -1,6 +1,7 @@
 target_sources(corral PRIVATE
   number/Double_bracket.cpp
   number/Environment.cpp
+  number/Mpfr_interval.cpp
   number/Outward_rounding.cpp
   number/Rational.cpp
   number/format.cpp)

@@ -2,10 +2,7 @@
 #include "conformance/number_conformance.h"
 #include "number/Faulty_interval.h"
 
-#include <corral/number/Cgal_interval.h>
-#include <corral/number/Counted.h>
-#include <corral/number/Nearest_interval.h>
-#include <corral/number/Outward_interval.h>
+#include <corral/number/all.h>
 
 #include <gtest/gtest.h>
 
@@ -21,6 +18,13 @@ static_assert(!is_guaranteed<Nearest_interval> && is_guaranteed<Counted<Outward_
 
 TEST(Number_conformance, outward) { EXPECT_EQ(find_number_fault<Outward_interval>(1), ""); }
 TEST(Number_conformance, cgal) { EXPECT_EQ(find_number_fault<Cgal_interval>(1), ""); }
+TEST(Number_conformance, mpfr)
+{
+  for (const long bits : {53, 64, 113, 256, 1000, 4096}) {
+    const Mpfr_precision_scope precision(bits);
+    EXPECT_EQ(find_number_fault<Mpfr_interval>(6, rounds(300)), "") << bits << " bits";
+  }
+}
 TEST(Number_conformance, rational) { EXPECT_EQ(find_number_fault<Rational_interval>(2), ""); }
 TEST(Number_conformance, counted) { EXPECT_EQ(find_number_fault<Counted<Outward_interval>>(3), ""); }
 TEST(Number_conformance, counted_rational) { EXPECT_EQ(find_number_fault<Counted<Rational_interval>>(4), ""); }
