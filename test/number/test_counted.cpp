@@ -22,7 +22,7 @@ TEST(Counted, counts_additions_and_multiplications_only)
   EXPECT_EQ(scope.counts(), (Operation_counts{0, 0}));
   x = x + x - 1;
   x += x;
-  x -= x;
+  x -= I(1);
   EXPECT_EQ(scope.counts(), (Operation_counts{4, 0}));
   x = square(x) * x;
   x *= x;
