@@ -84,10 +84,26 @@ public:
   /// Adds all cells of `other`, which shares no block with this set.
   void append(const Cell_set& other) { blocks_.insert(blocks_.end(), other.blocks_.begin(), other.blocks_.end()); }
 
-  /// Sorts the blocks. \par Complexity  n log n for n blocks.
+  /// Adds blocks that no earlier call has added.
+  void append(std::vector<Block>&& blocks)
+  {
+    if (blocks_.empty())
+      blocks_ = std::move(blocks);
+    else
+      blocks_.insert(blocks_.end(), blocks.begin(), blocks.end());
+  }
+
+  /// \brief Sorts the blocks.
+  /// \par Complexity  Linear in the blocks and the largest index if there are many blocks, else n log n.
   void finish()
   {
-    std::sort(blocks_.begin(), blocks_.end(), [](const Block& a, const Block& b) { return a.index < b.index; });
+    std::uint32_t largest = 0;
+    for (const Block& block : blocks_)
+      largest = std::max(largest, *std::max_element(block.index.begin(), block.index.end()));
+    if (blocks_.size() < 64 || largest / 4 > blocks_.size())
+      std::sort(blocks_.begin(), blocks_.end(), [](const Block& a, const Block& b) { return a.index < b.index; });
+    else
+      for (std::size_t axis = D; axis-- > 0;) sort_by(axis, largest);
   }
 
   [[nodiscard]] const std::vector<Block>& blocks() const { return blocks_; }
@@ -145,6 +161,16 @@ private:
   {
     if ((block.plotted >> bit & 1) == 0) return Verdict::empty;
     return (block.hit >> bit & 1) != 0 ? Verdict::hit : Verdict::unknown;
+  }
+  /// Counting sort by the index of one axis; stable. \pre No index exceeds `largest`.
+  void sort_by(std::size_t axis, std::uint32_t largest)
+  {
+    std::vector<std::size_t> position(largest + std::size_t{2});
+    for (const Block& block : blocks_) ++position[block.index[axis] + std::size_t{1}];
+    for (std::size_t k = 1; k < position.size(); ++k) position[k] += position[k - 1];
+    std::vector<Block> sorted(blocks_.size());
+    for (const Block& block : blocks_) sorted[position[block.index[axis]]++] = block;
+    blocks_.swap(sorted);
   }
   [[nodiscard]] std::uint64_t count(std::uint64_t Block::*mask) const
   {

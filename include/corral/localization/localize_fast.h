@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CORRAL_LOCALIZATION_LOCALIZE_FAST_H
+#define CORRAL_LOCALIZATION_LOCALIZE_FAST_H
+
+#include <corral/localization/Cell_set.h>
+#include <corral/localization/Grid.h>
+#include <corral/polynomial/Polynomial.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace corral {
+
+/// How `localize_fast` runs. The result does not depend on the number of threads.
+struct Fast_options
+{
+  unsigned threads = 1;                                                  ///< 0: one for each processor
+  std::uint64_t cell_budget = std::numeric_limits<std::uint64_t>::max(); ///< most plotted cells
+  /// Called now and then, from one thread at a time, with the part done (0 to 1); `false` stops the run.
+  std::function<bool(double)> progress;
+};
+
+/// What `localize_fast` found.
+template <std::size_t D>
+struct Fast_localization
+{
+  Cell_set<D> cells;
+  std::uint64_t nodes = 0; ///< nodes of the subdivision tree that were bounded
+};
+
+/// \brief The cells of a grid through which the zero set of a polynomial may pass, by subdividing a Taylor form.
+///
+/// The polynomial is mapped exactly onto the grid and then kept, for every node of the 2^D-tree, in the node's own
+/// coordinates as doubles with a bound of every rounding error so far. Blocks of cells are decided together from the
+/// values at their corners. `empty` and `hit` are proved, whatever the coefficients; all else is `unknown`.
+/// The result is the same, bit for bit, for every instruction set and number of threads.
+///
+/// \pre D is 2 or 3.
+/// \throw Invalid_input for the zero polynomial; Budget_exceeded if there are more plotted cells than
+///        `options.cell_budget` or the polynomial has too many coefficients; Cancelled; Unsafe_environment.
+/// \par Complexity  Time and memory proportional to the plotted cells; a node costs O(n^(D+1)) for degree n where n
+///      falls to 2 towards the cells. Proofs: doc/taylor_form.md.
+template <std::size_t D>
+[[nodiscard]] Fast_localization<D> localize_fast(const Polynomial<Rational, D>& f, const Grid<D>& grid,
+                                                 const Fast_options& options = {});
+
+/// \brief The same for a system: a cell is plotted unless one of the polynomials has no zero in it.
+///
+/// With several polynomials no cell is a `hit`.
+/// \pre `system` is not empty.
+template <std::size_t D>
+[[nodiscard]] Fast_localization<D> localize_fast(const std::vector<Polynomial<Rational, D>>& system,
+                                                 const Grid<D>& grid, const Fast_options& options = {});
+
+extern template Fast_localization<2> localize_fast<2>(const Polynomial<Rational, 2>&, const Grid<2>&,
+                                                      const Fast_options&);
+extern template Fast_localization<3> localize_fast<3>(const Polynomial<Rational, 3>&, const Grid<3>&,
+                                                      const Fast_options&);
+extern template Fast_localization<2> localize_fast<2>(const std::vector<Polynomial<Rational, 2>>&, const Grid<2>&,
+                                                      const Fast_options&);
+extern template Fast_localization<3> localize_fast<3>(const std::vector<Polynomial<Rational, 3>>&, const Grid<3>&,
+                                                      const Fast_options&);
+
+} // namespace corral
+
+#endif

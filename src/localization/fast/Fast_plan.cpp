@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "Fast_plan.h"
+
+#include <corral/errors.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <string>
+
+namespace corral::fast {
+
+namespace {
+
+template <std::size_t D>
+std::array<unsigned, D> padded_exponents(const Resolution<D>& resolution)
+{
+  std::array<unsigned, D> result;
+  for (std::size_t axis = 0; axis < D; ++axis)
+    result[axis] = static_cast<unsigned>(std::bit_width(resolution[axis] - 1));
+  return result;
+}
+
+} // namespace
+
+Rounding proved_rounding(std::size_t dimension, unsigned degree)
+{
+  constexpr double unit = 0x1p-53;
+  const double additions = static_cast<double>(dimension) * (degree + 1.0);
+  Rounding rounding;
+  rounding.split = (additions + 1) * unit;
+  rounding.evaluate = (2 * additions + 2) * unit;
+  rounding.underflow = std::ldexp(1.0, std::max(-1000, static_cast<int>(degree) + 24 - 1074));
+  rounding.sum = 1 + 0x1p-30;
+  rounding.step = 1 + 0x1p-48;
+  return rounding;
+}
+
+template <std::size_t D>
+Plan<D>::Plan(const Polynomial<Rational, D>& f, const Grid<D>& grid)
+    : shape(f), tree(grid.resolution()), resolution(grid.resolution()), cells_log2(padded_exponents(resolution)),
+      root_level(*std::max_element(cells_log2.begin(), cells_log2.end())),
+      leaf_level(std::min(root_level, static_cast<unsigned>(std::countr_zero(block_side<D>)))),
+      rounding(proved_rounding(D, shape.degree())), root(root_form(f, shape, grid, cells_log2))
+{
+  halves.resize(shape.degree() + std::size_t{1});
+  for (std::size_t d = 0; d < halves.size(); ++d) halves[d] = std::ldexp(1.0, -static_cast<int>(d));
+  const int degree = static_cast<int>(shape.degree());
+  for (int depth = 0; depth <= static_cast<int>(root_level) + cell_depth; ++depth)
+    exact_below.push_back(std::ldexp(root.quantum, 52 - depth * degree));
+  exact_evaluation = std::ldexp(1.0, -degree * std::max(0, std::countr_zero(block_side<D>) - 1));
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    linear[axis] = shape.pure_power(axis, 1);
+    square[axis] = shape.pure_power(axis, 2);
+    for (std::size_t k = 1; k < shape.size(); ++k)
+      if (const double e = shape.exponents()[k][axis]; e > 0 && k != linear[axis])
+        weights[axis].push_back({static_cast<std::uint32_t>(k), e, e * (e - 1)});
+    leaf_cells[axis] = tree.span(leaf_level, axis);
+    for (std::size_t line = 0; line < lattice[axis].size(); ++line)
+      lattice[axis][line] = std::min(1.0, -1.0 + 2.0 * static_cast<double>(line) / leaf_cells[axis]);
+    sag[axis] = 0.5 / (leaf_cells[axis] * leaf_cells[axis]);
+  }
+}
+
+template <std::size_t D>
+Seed<D> root_seed(const Plan<D>& plan)
+{
+  Seed<D> seed;
+  double norm = 0;
+  for (const double c : plan.root.coefficients) norm += std::abs(c);
+  seed.rows = {plan.rounding.keep_dropped ? plan.root.remainder : 0, norm * plan.rounding.sum};
+  seed.rows.resize(3 + D, 0.0); // the corner is the origin
+  seed.rows.insert(seed.rows.end(), plan.root.coefficients.begin(), plan.root.coefficients.end());
+  return seed;
+}
+
+void throw_over_budget(std::uint64_t budget)
+{
+  throw Budget_exceeded("localize_fast: more than " + std::to_string(budget)
+                        + " cells to plot; expected at most this budget");
+}
+
+template struct Plan<2>;
+template struct Plan<3>;
+template Seed<2> root_seed<2>(const Plan<2>&);
+template Seed<3> root_seed<3>(const Plan<3>&);
+
+} // namespace corral::fast

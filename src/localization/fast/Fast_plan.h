@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CORRAL_SRC_LOCALIZATION_FAST_FAST_PLAN_H
+#define CORRAL_SRC_LOCALIZATION_FAST_FAST_PLAN_H
+
+#include "Monomial_shape.h"
+#include "Root_form.h"
+
+#include <corral/localization/Cell_set.h>
+#include <corral/localization/Subdivision.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace corral::fast {
+
+/// \brief The constants of the error analysis; proved in doc/taylor_form.md.
+///
+/// A test may zero them to see that the remainder is needed.
+struct Rounding
+{
+  double split = 0;         ///< times the sum of absolute coefficients: rounding of one split
+  double evaluate = 0;      ///< times the sum of absolute coefficients: rounding of one evaluation in a block
+  double underflow = 0;     ///< added at every step
+  double sum = 1;           ///< factor that covers a sum of up to 2^20 terms of one sign
+  double step = 1;          ///< factor that covers a few operations on numbers of one sign
+  bool keep_dropped = true; ///< whether dropped terms and the remainder of the root count
+};
+
+/// How many levels below the cells the engine looks for the sign of f inside a cell that it cannot decide.
+inline constexpr int cell_depth = 1;
+
+/// The constants that make every verdict a proof, for a shape of this degree.
+[[nodiscard]] Rounding proved_rounding(std::size_t dimension, unsigned degree);
+
+/// \brief All that stays constant during one run.
+template <std::size_t D>
+struct Plan
+{
+  /// Weights of a monomial in the bounds of the first and second derivative along one axis.
+  struct Weight
+  {
+    std::uint32_t position;
+    double slope; ///< e
+    double curve; ///< e (e - 1)
+  };
+
+  Plan(const Polynomial<Rational, D>& f, const Grid<D>& grid);
+
+  Monomial_shape<D> shape;
+  Subdivision_tree<D> tree;
+  Resolution<D> resolution;
+  std::array<unsigned, D> cells_log2;
+  unsigned root_level;
+  unsigned leaf_level;
+  std::uint64_t cell_budget = std::numeric_limits<std::uint64_t>::max(); ///< most plotted cells of one worker
+  Rounding rounding;
+  Root_form root;
+  std::vector<double> halves;      ///< halves[d] = 2^-d
+  std::vector<double> exact_below; ///< by tree depth: forms of at most this norm are split into that depth exactly
+  double exact_evaluation;         ///< times exact_below: forms of at most this norm are evaluated exactly in a block
+  std::array<std::vector<Weight>, D> weights;      ///< by position, without 1 and x_axis
+  std::array<std::size_t, D> linear;               ///< position of x_axis
+  std::array<std::size_t, D> square;               ///< position of x_axis^2
+  std::array<std::uint32_t, D> leaf_cells;         ///< cells of a leaf block along each axis
+  std::array<std::array<double, 16>, D> lattice{}; ///< coordinates of the grid lines of a leaf block
+  std::array<double, D> sag; ///< 1 / (2 leaf_cells^2): how far a unit second derivative bends away from a chord
+};
+
+/// \brief A node on its way from one worker to another: remainder, norm, corner and coefficients.
+template <std::size_t D>
+struct Seed
+{
+  std::size_t cut = 0; ///< which class of the shape
+  std::vector<double> rows;
+};
+
+/// What a worker found.
+template <std::size_t D>
+struct Harvest
+{
+  std::vector<Cell_block<D>> blocks;
+  std::vector<Seed<D>> seeds; ///< nodes of `stop_level` that may hold a zero, if the worker had to stop there
+  std::uint64_t nodes = 0;    ///< nodes bounded
+};
+
+/// The root of the tree.
+template <std::size_t D>
+[[nodiscard]] Seed<D> root_seed(const Plan<D>& plan);
+
+/// \throw Budget_exceeded always.
+[[noreturn]] void throw_over_budget(std::uint64_t budget);
+
+/// \brief Subdivides the seeds, all of level `level`, down to `stop_level`, or down to the leaves if that is 0.
+/// \pre level == plan.root_level for the root seed alone; else level > plan.leaf_level.
+/// \throw Budget_exceeded if more blocks than `plan.cell_budget` have plotted cells.
+template <std::size_t D>
+void subdivide_seeds(const Plan<D>& plan, unsigned level, const Seed<D>* seeds, std::size_t count, unsigned stop_level,
+                     Harvest<D>& harvest);
+
+extern template struct Plan<2>;
+extern template struct Plan<3>;
+
+} // namespace corral::fast
+
+#endif

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "Monomial_shape.h"
+
+#include <corral/errors.h>
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+namespace corral::fast {
+
+namespace {
+
+constexpr std::uint32_t absent = 0xffffffffU;
+
+template <std::size_t D>
+unsigned total(const Exponents<D>& exponents)
+{
+  return std::accumulate(exponents.begin(), exponents.end(), 0U);
+}
+
+template <std::size_t D>
+bool is_even(const Exponents<D>& exponents)
+{
+  return std::all_of(exponents.begin(), exponents.end(), [](auto e) { return e % 2 == 0; });
+}
+
+/// Where the engine may cut the degree: every degree while that is cheap, then in steps.
+std::vector<unsigned> class_degrees(unsigned degree)
+{
+  std::vector<unsigned> result{degree};
+  for (unsigned d = degree; d > 1;) {
+    d = d <= 8 ? d - 1 : d <= 16 ? std::max(8U, d - 2) : d - std::max(3U, d / 8);
+    result.push_back(d);
+  }
+  return result;
+}
+
+} // namespace
+
+template <std::size_t D>
+Monomial_shape<D>::Monomial_shape(const Polynomial<Rational, D>& f)
+{
+  collect_divisors(f);
+  for (const unsigned d : class_degrees(degree())) {
+    classes_.push_back({d, degree_end_[d], {}, {}});
+    Class& cut = classes_.back();
+    for (std::size_t axis = 0; axis < D; ++axis) cut.lines[axis] = lines_of(axis, d);
+    const auto& lines = cut.lines[D - 1].lines;
+    for (std::uint32_t k = 0; k < lines.size(); ++k)
+      if (k == 0 || lines[k].rest[0] != lines[k - 1].rest[0]) cut.slab.push_back(k);
+    cut.slab.push_back(static_cast<std::uint32_t>(lines.size()));
+  }
+}
+
+template <std::size_t D>
+std::size_t Monomial_shape<D>::pure_power(std::size_t axis, unsigned power) const
+{
+  if (power >= extent_[axis]) return size();
+  Exponents<D> exponents{};
+  exponents[axis] = static_cast<std::uint16_t>(power);
+  return position(exponents); // a divisor of the monomial that has the highest exponent of this axis
+}
+
+template <std::size_t D>
+void Monomial_shape<D>::collect_divisors(const Polynomial<Rational, D>& f)
+{
+  constexpr std::size_t max_dense = 16 * max_size;
+  std::size_t cells = 1;
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    extent_[axis] = f.degree(axis) + std::size_t{1};
+    if (cells > max_dense / extent_[axis])
+      throw Budget_exceeded("localize_fast: the degrees of the polynomial multiply to more than "
+                            + std::to_string(max_dense) + " monomials");
+    cells *= extent_[axis];
+  }
+  position_.assign(cells, absent);
+  for (const auto& term : f.terms()) position_[dense(term.exponents)] = 0;
+  for (std::size_t axis = 0, stride = cells; axis < D; ++axis) {
+    const std::size_t block = stride;
+    stride /= extent_[axis];
+    for (std::size_t cell = cells; cell-- > 0;)
+      if (position_[cell] == 0 && cell % block >= stride) position_[cell - stride] = 0;
+  }
+  for (std::size_t cell = 0; cell < cells; ++cell)
+    if (position_[cell] == 0) {
+      Exponents<D> exponents;
+      std::size_t rest = cell;
+      for (std::size_t axis = D; axis-- > 0; rest /= extent_[axis])
+        exponents[axis] = static_cast<std::uint16_t>(rest % extent_[axis]);
+      exponents_.push_back(exponents);
+    }
+  if (exponents_.size() > max_size)
+    throw Budget_exceeded("localize_fast: the polynomial needs " + std::to_string(exponents_.size())
+                          + " coefficients; at most " + std::to_string(max_size) + " are supported");
+  std::stable_sort(exponents_.begin(), exponents_.end(), [](const auto& a, const auto& b) {
+    const unsigned da = total<D>(a);
+    const unsigned db = total<D>(b);
+    return da != db ? da < db : is_even<D>(a) > is_even<D>(b);
+  });
+  degree_end_.assign(total<D>(exponents_.back()) + 1, 0);
+  even_end_ = degree_end_;
+  for (std::size_t k = 0; k < exponents_.size(); ++k) {
+    position_[dense(exponents_[k])] = static_cast<std::uint32_t>(k);
+    const unsigned d = total<D>(exponents_[k]);
+    if (degree_end_[d] == 0) even_end_[d] = k;
+    degree_end_[d] = k + 1;
+    if (is_even<D>(exponents_[k])) even_end_[d] = k + 1;
+  }
+}
+
+template <std::size_t D>
+auto Monomial_shape<D>::lines_of(std::size_t axis, unsigned degree) const -> Lines
+{
+  Lines result;
+  std::vector<Exponents<D>> rests;
+  for (std::size_t k = 0; k < degree_end_[degree]; ++k)
+    if (exponents_[k][axis] == 0) rests.push_back(exponents_[k]);
+  std::sort(rests.begin(), rests.end());
+  for (const auto& rest : rests) {
+    const auto first = static_cast<std::uint32_t>(result.index.size());
+    auto monomial = rest;
+    for (; monomial[axis] < extent_[axis]; ++monomial[axis]) {
+      const auto k = position_[dense(monomial)];
+      if (k == absent || k >= degree_end_[degree]) break;
+      result.index.push_back(k);
+    }
+    result.lines.push_back({first, static_cast<std::uint32_t>(result.index.size() - first - 1), rest});
+  }
+  return result;
+}
+
+template class Monomial_shape<2>;
+template class Monomial_shape<3>;
+
+} // namespace corral::fast

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "Root_form.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace corral::fast {
+
+namespace {
+
+/// x = (offset + scale * u) / denominator.
+struct Integer_map
+{
+  Integer offset;
+  Integer scale;
+  Integer denominator;
+};
+
+template <std::size_t D>
+Integer_map integer_map(const Grid<D>& grid, std::size_t axis, unsigned cells_log2)
+{
+  Rational half = grid.step(axis);
+  if (cells_log2 > 0)
+    mpq_mul_2exp(half.get_mpq_t(), half.get_mpq_t(), cells_log2 - 1);
+  else
+    half /= 2;
+  const Rational centre = grid.box()[axis].lower() + half;
+  Integer_map map;
+  mpz_lcm(map.denominator.get_mpz_t(), centre.get_den_mpz_t(), half.get_den_mpz_t());
+  map.offset = centre.get_num() * (map.denominator / centre.get_den());
+  map.scale = half.get_num() * (map.denominator / half.get_den());
+  return map;
+}
+
+std::vector<Integer> powers(const Integer& base, unsigned highest)
+{
+  std::vector<Integer> result(highest + std::size_t{1}, 1);
+  for (std::size_t e = 1; e < result.size(); ++e) result[e] = result[e - 1] * base;
+  return result;
+}
+
+template <std::size_t D>
+std::vector<Integer> integer_coefficients(const Polynomial<Rational, D>& f, const Monomial_shape<D>& shape)
+{
+  Integer common = 1;
+  for (const auto& term : f.terms())
+    if (mpz_divisible_p(common.get_mpz_t(), term.coefficient.get_den_mpz_t()) == 0)
+      mpz_lcm(common.get_mpz_t(), common.get_mpz_t(), term.coefficient.get_den_mpz_t());
+  std::vector<Integer> result(shape.size());
+  for (const auto& term : f.terms()) {
+    Integer& target = result[shape.position(term.exponents)];
+    mpz_divexact(target.get_mpz_t(), common.get_mpz_t(), term.coefficient.get_den_mpz_t());
+    target *= term.coefficient.get_num();
+  }
+  return result;
+}
+
+/// Replaces x by x + offset along one axis, by Horner's triangle on every line.
+template <std::size_t D>
+void shift(std::vector<Integer>& c, const Monomial_shape<D>& shape, std::size_t axis, const Integer& offset)
+{
+  if (offset == 0) return;
+  const auto& lines = shape.classes().front().lines[axis];
+  for (const auto& line : lines.lines)
+    for (std::uint32_t low = 0; low < line.degree; ++low)
+      for (std::uint32_t k = line.degree; k-- > low;) {
+        Integer& to = c[lines.index[line.first + k]];
+        const Integer& from = c[lines.index[line.first + k + 1]];
+        if (offset == 1)
+          to += from;
+        else
+          mpz_addmul(to.get_mpz_t(), from.get_mpz_t(), offset.get_mpz_t());
+      }
+}
+
+Root_form rounded(const std::vector<Integer>& c)
+{
+  std::size_t bits = 0;
+  std::size_t trailing_zeros = ~std::size_t{0};
+  for (const Integer& value : c)
+    if (value != 0) {
+      bits = std::max(bits, mpz_sizeinbase(value.get_mpz_t(), 2));
+      trailing_zeros = std::min(trailing_zeros, mpz_scan1(value.get_mpz_t(), 0));
+    }
+  Root_form form;
+  form.coefficients.reserve(c.size());
+  double error = 0;
+  for (const Integer& value : c) {
+    long exponent = 0;
+    const double mantissa = mpz_get_d_2exp(&exponent, value.get_mpz_t()); // truncated, in [1/2, 1)
+    const double rounded = std::ldexp(mantissa, static_cast<int>(std::max(exponent - static_cast<long>(bits), -5000L)));
+    const bool exact = value == 0 || mpz_sizeinbase(value.get_mpz_t(), 2) - mpz_scan1(value.get_mpz_t(), 0) <= 53;
+    if (!exact) error += std::abs(rounded) * 0x1p-51;
+    if (value != 0 && std::abs(rounded) < 0x1p-960) error += 0x1p-1020; // ldexp may have rounded
+    form.coefficients.push_back(rounded);
+  }
+  form.remainder = error * (1 + 0x1p-30);
+  if (error == 0)
+    form.quantum = std::ldexp(1.0, -static_cast<int>(bits - trailing_zeros)); // no underflow: bits <= 1013
+  return form;
+}
+
+} // namespace
+
+template <std::size_t D>
+Root_form root_form(const Polynomial<Rational, D>& f, const Monomial_shape<D>& shape, const Grid<D>& grid,
+                    const std::array<unsigned, D>& cells_log2)
+{
+  std::vector<Integer> c = integer_coefficients(f, shape);
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    const Integer_map map = integer_map(grid, axis, cells_log2[axis]);
+    const unsigned degree = f.degree(axis);
+    if (map.denominator != 1) { // f times denominator^degree, so that everything stays an integer
+      const auto factor = powers(map.denominator, degree);
+      for (std::size_t k = 0; k < c.size(); ++k)
+        if (c[k] != 0) c[k] *= factor[degree - shape.exponents()[k][axis]];
+    }
+    shift(c, shape, axis, map.offset);
+    if (map.scale != 1) {
+      const auto factor = powers(map.scale, degree);
+      for (std::size_t k = 0; k < c.size(); ++k)
+        if (c[k] != 0) c[k] *= factor[shape.exponents()[k][axis]];
+    }
+  }
+  return rounded(c);
+}
+
+template Root_form root_form<2>(const Polynomial<Rational, 2>&, const Monomial_shape<2>&, const Grid<2>&,
+                                const std::array<unsigned, 2>&);
+template Root_form root_form<3>(const Polynomial<Rational, 3>&, const Monomial_shape<3>&, const Grid<3>&,
+                                const std::array<unsigned, 3>&);
+
+} // namespace corral::fast

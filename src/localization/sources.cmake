@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+find_package(hwy REQUIRED)
+find_package(TBB REQUIRED)
+target_sources(corral PRIVATE
+  localization/fast/Fast_plan.cpp
+  localization/fast/Monomial_shape.cpp
+  localization/fast/Root_form.cpp
+  localization/fast/fast_engine.cpp
+  localization/fast/localize_fast.cpp)
+target_include_directories(corral PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+target_link_libraries(corral PRIVATE hwy::hwy TBB::tbb)

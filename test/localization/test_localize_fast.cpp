@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <corral/localization/localize_fast.h>
+
+#include "conformance/Random.h"
+#include "exact_cells.h"
+#include "localization/fast/Fast_plan.h"
+#include "paper_polynomials.h"
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+namespace {
+
+using namespace corral;
+using test::Random;
+
+template <std::size_t D>
+Polynomial<Rational, D> random_polynomial(Random& random, unsigned degree)
+{
+  std::vector<typename Polynomial<Rational, D>::Term> terms;
+  for (int count = static_cast<int>(random.integer(2, 14)); count > 0; --count) {
+    Exponents<D> exponents{};
+    for (auto left = static_cast<long>(degree); auto& e : exponents) {
+      e = static_cast<std::uint16_t>(random.integer(0, left));
+      left -= e;
+    }
+    terms.push_back({exponents, random.full_mantissa()});
+  }
+  auto f = collect<Rational, D>(std::move(terms));
+  return f.is_zero() ? constant<Rational, D>(1) : f;
+}
+
+template <std::size_t D>
+Grid<D> random_grid(Random& random, long most_cells)
+{
+  Rational_box<D> box;
+  Resolution<D> resolution;
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    const Rational lower = -abs(random.full_mantissa());
+    const Rational width = abs(random.full_mantissa()) + Rational(1, random.integer(3, 99));
+    box[axis] = Rational_interval(lower, lower + width);
+    resolution[axis] = static_cast<std::uint32_t>(random.integer(1, most_cells));
+  }
+  return {box, resolution};
+}
+
+template <std::size_t D, class Function>
+void for_each_cell(const Resolution<D>& resolution, const Function& function)
+{
+  Cell<D> cell{};
+  for (;;) {
+    function(cell);
+    std::size_t axis = 0;
+    while (axis < D && ++cell[axis] == resolution[axis]) cell[axis++] = 0;
+    if (axis == D) return;
+  }
+}
+
+/// The first wrong verdict among all cells of small random cases.
+template <std::size_t D>
+std::string find_wrong_verdict(std::uint64_t seed, int rounds, long most_cells)
+{
+  Random random(seed);
+  for (int round = 0; round < rounds; ++round) {
+    const auto f = random_polynomial<D>(random, static_cast<unsigned>(random.integer(1, 7)));
+    const auto grid = random_grid<D>(random, most_cells);
+    const auto cells = localize_fast(f, grid).cells;
+    std::string wrong;
+    for_each_cell<D>(grid.resolution(), [&](const Cell<D>& cell) {
+      if (wrong.empty()) wrong = test::contradiction(f, grid, cell, cells.at(cell));
+    });
+    if (!wrong.empty()) return "round " + std::to_string(round) + ": " + wrong;
+  }
+  return "";
+}
+
+TEST(Localize_fast, agrees_with_exact_subdivision_in_the_plane)
+{
+  EXPECT_EQ(find_wrong_verdict<2>(1, test::rounds(150), 40), "");
+}
+TEST(Localize_fast, agrees_with_exact_subdivision_in_space)
+{
+  EXPECT_EQ(find_wrong_verdict<3>(2, test::rounds(60), 11), "");
+}
+
+/// The cells of the plan, all in one piece.
+template <std::size_t D>
+Cell_set<D> run(const fast::Plan<D>& plan)
+{
+  const auto root = fast::root_seed(plan);
+  fast::Harvest<D> harvest;
+  fast::subdivide_seeds(plan, plan.root_level, &root, 1, 0, harvest);
+  Cell_set<D> cells;
+  cells.append(std::move(harvest.blocks));
+  cells.finish();
+  return cells;
+}
+
+/// \brief The first wrong verdict beside a grid point at which f is nearly zero.
+///
+/// There the sign of f is far below what doubles resolve: a verdict that neglects a rounding error is as good as a
+/// coin.
+template <std::size_t D>
+std::string find_rounding_fault(std::uint64_t seed, int rounds, bool with_remainder)
+{
+  Random random(seed);
+  for (int round = 0; round < rounds; ++round) {
+    const auto grid = random_grid<D>(random, D == 2 ? 40 : 12);
+    std::array<Rational, D> point;
+    Cell<D> corner;
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      corner[axis] = static_cast<std::uint32_t>(random.integer(0, grid.resolution()[axis]));
+      point[axis] = grid.line(axis, corner[axis]);
+    }
+    auto f = random_polynomial<D>(random, static_cast<unsigned>(random.integer(1, 7)));
+    Rational offset = -evaluate(f, point);
+    Rational tiny = random.integer(-1, 1);
+    mpq_div_2exp(tiny.get_mpq_t(), tiny.get_mpq_t(), static_cast<mp_bitcnt_t>(random.integer(60, 120)));
+    f = f + constant<Rational, D>(offset + tiny);
+    if (f.is_zero()) continue;
+    fast::Plan<D> plan(f, grid);
+    if (!with_remainder) {
+      plan.rounding = fast::Rounding{};
+      plan.rounding.keep_dropped = false;
+    }
+    const auto cells = run(plan);
+    for (unsigned side = 0; side < (1U << D); ++side) {
+      Cell<D> cell = corner;
+      bool inside = true;
+      for (std::size_t axis = 0; axis < D; ++axis) {
+        cell[axis] -= side >> axis & 1;
+        inside = inside && cell[axis] < grid.resolution()[axis];
+      }
+      if (!inside) continue;
+      const auto wrong = test::contradiction(f, grid, cell, cells.at(cell));
+      if (!wrong.empty()) return "round " + std::to_string(round) + ": " + wrong;
+    }
+  }
+  return "";
+}
+
+TEST(Localize_fast, survives_values_below_the_rounding_errors)
+{
+  EXPECT_EQ(find_rounding_fault<2>(3, test::rounds(2000), true), "");
+  EXPECT_EQ(find_rounding_fault<3>(4, test::rounds(300), true), "");
+}
+TEST(Localize_fast, a_remainder_left_out_is_found)
+{
+  EXPECT_NE(find_rounding_fault<2>(3, 2000, false), "");
+  EXPECT_NE(find_rounding_fault<3>(4, 300, false), "");
+}
+
+/// Compares the verdicts with the exact signs of f at every corner; returns the number of corners looked at.
+std::uint64_t check_corners(const Polynomial<Rational, 2>& f, const Grid<2>& grid)
+{
+  const auto cells = localize_fast(f, grid).cells;
+  const test::Grid_signs signs(f, grid);
+  std::uint64_t checked = 0;
+  for_each_cell<2>(grid.resolution(), [&](const Cell<2>& cell) {
+    const auto [x, y] = cell;
+    const int corners[] = {signs.at(x, y), signs.at(x + 1, y), signs.at(x, y + 1), signs.at(x + 1, y + 1)};
+    const auto [low, high] = std::minmax_element(std::begin(corners), std::end(corners));
+    const Verdict verdict = cells.at(cell);
+    checked += 4;
+    if (verdict == Verdict::empty) {
+      EXPECT_TRUE(*low == *high && *low != 0) << "lost cell " << x << " " << y << " of " << test::text_of(f);
+    } else if (verdict == Verdict::hit && *low == *high && *low != 0) {
+      EXPECT_EQ(test::contradiction(f, grid, cell, verdict), "");
+    }
+  });
+  return checked;
+}
+
+TEST(Localize_fast, agrees_with_the_exact_signs_of_all_corners)
+{
+  Random random(5);
+  std::uint64_t checked = 0;
+  for (int round = 0; round < test::rounds(20); ++round)
+    checked += check_corners(random_polynomial<2>(random, static_cast<unsigned>(random.integer(2, 9))),
+                             random_grid<2>(random, 700));
+  for (std::size_t k = 0; k < 10; ++k) checked += check_corners(test::paper_curve(k), test::paper_grid_2(256));
+  RecordProperty("corners", std::to_string(checked));
+}
+
+TEST(Localize_fast, plots_no_more_cells_than_modified_affine_arithmetic)
+{
+  for (std::size_t k = 0; k < 10; ++k) {
+    const auto curve = localize_fast(test::paper_curve(k), test::paper_grid_2(256)).cells;
+    EXPECT_LE(curve.plotted(), test::paper_curves[k].maa_cells) << test::paper_curves[k].text;
+    const auto surface = localize_fast(test::paper_surface(k), test::paper_grid_3(32)).cells;
+    EXPECT_LE(surface.plotted(), test::paper_surfaces[k].maa_cells) << test::paper_surfaces[k].text;
+  }
+}
+
+/// Cells of varied problems, large enough to be cut into tasks.
+std::vector<Cell_set<2>> varied_results(const Fast_options& options)
+{
+  std::vector<Cell_set<2>> results;
+  for (const std::size_t k : {2U, 3U, 8U})
+    results.push_back(localize_fast(test::paper_curve(k), test::paper_grid_2(4096), options).cells);
+  Random random(6);
+  for (int round = 0; round < 20; ++round)
+    results.push_back(localize_fast(random_polynomial<2>(random, 9), random_grid<2>(random, 3000), options).cells);
+  return results;
+}
+
+TEST(Localize_fast, does_not_depend_on_the_number_of_threads)
+{
+  const auto one = varied_results({});
+  for (const unsigned threads : {0U, 2U, 5U}) {
+    Fast_options options;
+    options.threads = threads;
+    EXPECT_EQ(varied_results(options), one) << threads << " threads";
+  }
+  const auto grid = test::paper_grid_3(256);
+  Fast_options two;
+  two.threads = 2;
+  EXPECT_EQ(localize_fast(test::paper_surface(4), grid).cells, localize_fast(test::paper_surface(4), grid, two).cells);
+}
+
+TEST(Localize_fast, does_not_depend_on_the_instruction_set)
+{
+  const auto expected = varied_results({});
+  const auto expected_surface = localize_fast(test::paper_surface(5), test::paper_grid_3(50)).cells;
+  for (std::int64_t rest = hwy::SupportedTargets(); rest != 0; rest &= rest - 1) {
+    const std::int64_t target = rest & -rest;
+    hwy::SetSupportedTargetsForTest(target);
+    EXPECT_EQ(varied_results({}), expected) << hwy::TargetName(target);
+    EXPECT_EQ(localize_fast(test::paper_surface(5), test::paper_grid_3(50)).cells, expected_surface);
+    hwy::SetSupportedTargetsForTest(0);
+  }
+}
+
+TEST(Localize_fast, is_exact_where_the_data_allow_it)
+{
+  const auto plane = localize_fast(test::paper_surface(0), test::paper_grid_3(32)).cells;
+  EXPECT_EQ(plane.plotted(), 1791U);
+  EXPECT_EQ(plane.hit(), 1791U); // 511 of these only touch it with a corner
+}
+
+TEST(Localize_fast, takes_any_size_of_coefficients)
+{
+  const auto grid = test::paper_grid_2(64);
+  const auto circle = parse_polynomial<2>("(x - 1/3)^2 + (y - 1/3)^2 - 1/16", {"x", "y"});
+  const auto expected = localize_fast(circle, grid).cells;
+  for (const int exponent : {-20000, -1074, 900, 30000}) {
+    Rational factor = 1;
+    if (exponent < 0)
+      mpq_div_2exp(factor.get_mpq_t(), factor.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
+    else
+      mpq_mul_2exp(factor.get_mpq_t(), factor.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
+    EXPECT_EQ(localize_fast(constant<Rational, 2>(factor) * circle, grid).cells, expected) << exponent;
+  }
+  Rational tiny = 1;
+  mpq_div_2exp(tiny.get_mpq_t(), tiny.get_mpq_t(), 1200);
+  const auto f = parse_polynomial<2>("x - y", {"x", "y"}) + constant<Rational, 2>(tiny); // misses every corner
+  const auto cells = localize_fast(f, grid).cells;
+  for_each_cell<2>(grid.resolution(),
+                   [&](const Cell<2>& cell) { EXPECT_EQ(test::contradiction(f, grid, cell, cells.at(cell)), ""); });
+}
+
+TEST(Localize_fast, intersects_the_cells_of_a_system)
+{
+  const auto grid = test::paper_grid_2(512);
+  const auto cells = localize_fast<2>({test::paper_curve(2), test::paper_curve(3)}, grid).cells;
+  const auto first = localize_fast(test::paper_curve(2), grid).cells;
+  const auto second = localize_fast(test::paper_curve(3), grid).cells;
+  std::uint64_t common = 0;
+  first.for_each([&](const Cell<2>& cell, Verdict) {
+    const bool both = second.at(cell) != Verdict::empty;
+    common += both ? 1U : 0U;
+    EXPECT_EQ(cells.at(cell), both ? Verdict::unknown : Verdict::empty);
+  });
+  EXPECT_EQ(cells.plotted(), common);
+  EXPECT_GT(common, 0U);
+}
+
+TEST(Localize_fast, refuses_what_it_cannot_do)
+{
+  const auto grid = test::paper_grid_2(4096);
+  EXPECT_THROW((void)localize_fast(Polynomial<Rational, 2>(), grid), Invalid_input);
+  EXPECT_THROW((void)localize_fast(std::vector<Polynomial<Rational, 2>>(), grid), Invalid_input);
+  Fast_options few;
+  few.cell_budget = 1000;
+  EXPECT_THROW((void)localize_fast(test::paper_curve(0), grid, few), Budget_exceeded);
+  Fast_options stopped;
+  stopped.progress = [](double) { return false; };
+  EXPECT_THROW((void)localize_fast(test::paper_curve(0), grid, stopped), Cancelled);
+}
+
+TEST(Localize_fast, knows_constants)
+{
+  const auto grid = test::paper_grid_2(100);
+  EXPECT_EQ(localize_fast(constant<Rational, 2>(Rational(-1, 7)), grid).cells.plotted(), 0U);
+  const auto line = localize_fast(parse_polynomial<2>("y - 1/2", {"x", "y"}), grid).cells;
+  EXPECT_EQ(line.plotted(), 200U);
+}
+
+} // namespace
