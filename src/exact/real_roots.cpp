@@ -259,6 +259,21 @@ int Real_root::compare(const Rational& x)
   return sign == 0 ? 0 : sign == lower_sign_ ? 1 : -1;
 }
 
+std::vector<Real_root> isolate_simple_roots(const std::shared_ptr<const Integer_polynomial>& p,
+                                            const Rational_interval& interval, const Checkpoint& checkpoint)
+{
+  std::vector<Real_root> roots;
+  if (interval.lower() == interval.upper()) {
+    if (sign_at(*p, interval.lower()) == 0) roots.emplace_back(p, interval, 1);
+    return roots;
+  }
+  const Unit_map map{interval};
+  Isolator isolator(map, checkpoint);
+  isolator.run(bernstein_coefficients(compose_affine(*p, interval.lower(), interval.upper() - interval.lower())));
+  for (auto& where : isolator.take()) roots.emplace_back(p, std::move(where), 1);
+  return roots;
+}
+
 std::vector<Real_root> isolate_real_roots(const Integer_polynomial& p, const Rational_interval& interval,
                                           const Checkpoint& checkpoint)
 {
@@ -271,31 +286,18 @@ std::vector<Real_root> isolate_real_roots(const Integer_polynomial& p, const Rat
   const bool simple = degree(repeated) == 0;
   const auto free =
       std::make_shared<const Integer_polynomial>(simple ? primitive : exact_quotient(primitive, repeated));
-  std::vector<Rational_interval> intervals;
-  if (interval.lower() == interval.upper()) {
-    if (sign_at(*free, interval.lower()) == 0) intervals.push_back(interval);
-  } else {
-    const Unit_map map{interval};
-    Isolator isolator(map, checkpoint);
-    isolator.run(bernstein_coefficients(compose_affine(*free, interval.lower(), interval.upper() - interval.lower())));
-    intervals = isolator.take();
-  }
+  auto simple_roots = isolate_simple_roots(free, interval, checkpoint);
+  if (simple) return simple_roots;
   std::vector<std::shared_ptr<const Integer_polynomial>> factors;
-  if (!simple)
-    for (auto& factor : square_free_decomposition(primitive))
-      factors.push_back(std::make_shared<const Integer_polynomial>(std::move(factor)));
-  for (auto& where : intervals) {
-    if (simple) {
-      roots.emplace_back(free, where, 1);
-      continue;
-    }
-    // The one factor that vanishes inside changes sign; the others have no root there.
+  for (auto& factor : square_free_decomposition(primitive))
+    factors.push_back(std::make_shared<const Integer_polynomial>(std::move(factor)));
+  // The one factor that vanishes inside changes sign; the others have no root there.
+  for (const auto& root : simple_roots)
     for (std::size_t k = 0; k < factors.size(); ++k)
-      if (sign_at(*factors[k], where.lower()) * sign_at(*factors[k], where.upper()) <= 0) {
-        roots.emplace_back(factors[k], where, static_cast<unsigned>(k + 1));
+      if (sign_at(*factors[k], root.lower()) * sign_at(*factors[k], root.upper()) <= 0) {
+        roots.emplace_back(factors[k], root.interval(), static_cast<unsigned>(k + 1));
         break;
       }
-  }
   return roots;
 }
 

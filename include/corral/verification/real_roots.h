@@ -71,6 +71,12 @@ private:
 [[nodiscard]] std::vector<Real_root> isolate_real_roots(const Integer_polynomial& p, const Rational_interval& interval,
                                                         const Checkpoint& checkpoint = {});
 
+/// As above, for a polynomial that is known to be square-free; saves the decomposition. \pre p is square-free, not
+/// zero.
+[[nodiscard]] std::vector<Real_root> isolate_simple_roots(const std::shared_ptr<const Integer_polynomial>& p,
+                                                          const Rational_interval& interval,
+                                                          const Checkpoint& checkpoint = {});
+
 /// All distinct real roots of p. \throw Invalid_input if p is zero.
 [[nodiscard]] std::vector<Real_root> isolate_real_roots(const Integer_polynomial& p, const Checkpoint& checkpoint = {});
 

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "Bivariate.h"
+
+#include "Prime_field.h"
+
+#include <algorithm>
+
+namespace corral::exact {
+
+using Element = Prime_field::Element;
+
+Bivariate bivariate(const Polynomial<Integer, 2>& f, std::size_t main)
+{
+  Bivariate result(f.is_zero() ? 0 : f.degree(main) + 1U);
+  for (const auto& term : f.terms()) {
+    auto& coefficient = result[term.exponents[main]];
+    const std::size_t exponent = term.exponents[1 - main];
+    if (coefficient.size() <= exponent) coefficient.resize(exponent + 1);
+    coefficient[exponent] = term.coefficient;
+  }
+  return result;
+}
+
+Polynomial<Integer, 2> polynomial(const Bivariate& f, std::size_t main)
+{
+  std::vector<Polynomial<Integer, 2>::Term> terms;
+  for (std::size_t j = 0; j < f.size(); ++j)
+    for (std::size_t i = 0; i < f[j].size(); ++i)
+      if (f[j][i] != 0) {
+        Exponents<2> exponents{};
+        exponents[main] = static_cast<std::uint16_t>(j);
+        exponents[1 - main] = static_cast<std::uint16_t>(i);
+        terms.push_back({exponents, f[j][i]});
+      }
+  return collect<Integer, 2>(std::move(terms));
+}
+
+Integer_polynomial content(const Bivariate& f)
+{
+  Integer_polynomial result;
+  for (const auto& c : f) {
+    if (c.empty()) continue;
+    result = greatest_common_divisor(result, c);
+    if (degree(result) == 0) return {1};
+  }
+  return result;
+}
+
+Bivariate derivative(const Bivariate& f)
+{
+  Bivariate result(f.empty() ? 0 : f.size() - 1);
+  for (std::size_t j = 1; j < f.size(); ++j) {
+    result[j - 1] = f[j];
+    for (Integer& c : result[j - 1]) c *= static_cast<unsigned long>(j);
+  }
+  return result;
+}
+
+namespace {
+
+std::size_t inner_degree(const Bivariate& f)
+{
+  std::size_t highest = 0;
+  for (const auto& c : f) highest = std::max(highest, degree(c));
+  return highest;
+}
+
+std::size_t total_degree(const Bivariate& f)
+{
+  std::size_t highest = 0;
+  for (std::size_t j = 0; j < f.size(); ++j)
+    if (!f[j].empty()) highest = std::max(highest, j + degree(f[j]));
+  return highest;
+}
+
+/// The bits of the Euclidean norm of the coefficients' 1-norms, rounded up.
+std::size_t norm_bits(const Bivariate& f)
+{
+  Integer squares = 0;
+  for (const auto& c : f) {
+    Integer sum = 0;
+    for (const Integer& value : c) sum += abs(value);
+    squares += sum * sum;
+  }
+  return mpz_sizeinbase(squares.get_mpz_t(), 2) / 2 + 1;
+}
+
+/// The images of one pair of polynomials modulo one prime, evaluated at many points.
+class Modular_pair
+{
+public:
+  Modular_pair(const Prime_field& field, const Bivariate& f, const Bivariate& g)
+      : field_(field), f_(images(f)), g_(images(g))
+  {}
+
+  /// Whether the degrees in y survive modulo the prime.
+  [[nodiscard]] bool is_lucky() const { return !f_.back().empty() && !g_.back().empty(); }
+
+  /// The resultant at `x`, if the degrees in y survive there.
+  [[nodiscard]] bool evaluate(Element x, Element& result) const
+  {
+    const auto a = at(f_, x);
+    const auto b = at(g_, x);
+    if (a.back() == 0 || b.back() == 0) return false;
+    result = modular_resultant(field_, a, b);
+    return true;
+  }
+
+private:
+  [[nodiscard]] std::vector<Modular_polynomial> images(const Bivariate& f) const
+  {
+    std::vector<Modular_polynomial> result;
+    for (const auto& c : f) result.push_back(image(field_, c));
+    return result;
+  }
+  [[nodiscard]] Modular_polynomial at(const std::vector<Modular_polynomial>& f, Element x) const
+  {
+    Modular_polynomial result(f.size());
+    for (std::size_t j = 0; j < f.size(); ++j) {
+      Element value = 0;
+      for (std::size_t i = f[j].size(); i-- > 0;) value = field_.add(field_.multiply(value, x), f[j][i]);
+      result[j] = value;
+    }
+    return result;
+  }
+
+  const Prime_field& field_;
+  std::vector<Modular_polynomial> f_;
+  std::vector<Modular_polynomial> g_;
+};
+
+/// \brief The polynomial with these values at these points (Newton's divided differences), in the power basis.
+/// \pre `points` increase.
+std::vector<Element> interpolate(const Prime_field& field, const std::vector<std::uint64_t>& points,
+                                 std::vector<Element> y)
+{
+  const std::size_t n = points.size();
+  std::vector<Element> inverses(points.back() + 1, 0);
+  for (std::size_t d = 1; d < inverses.size(); ++d) inverses[d] = field.inverse(field.from_residue(d));
+  for (std::size_t k = 1; k < n; ++k)
+    for (std::size_t i = n - 1; i >= k; --i)
+      y[i] = field.multiply(field.subtract(y[i], y[i - 1]), inverses[points[i] - points[i - k]]);
+  std::vector<Element> result(n, 0);
+  for (std::size_t k = n; k-- > 0;) { // result = result * (t - x_k) + y_k
+    const Element x = field.from_residue(points[k]);
+    for (std::size_t i = n - 1; i > 0; --i) result[i] = field.subtract(result[i - 1], field.multiply(result[i], x));
+    result[0] = field.subtract(y[k], field.multiply(result[0], x));
+  }
+  return result;
+}
+
+/// The resultant modulo one prime; false if the prime is unlucky.
+bool resultant_image(const Prime_field& field, const Bivariate& f, const Bivariate& g, std::size_t degree_bound,
+                     std::vector<std::uint64_t>& residues)
+{
+  const Modular_pair pair(field, f, g);
+  if (!pair.is_lucky()) return false;
+  std::vector<std::uint64_t> points;
+  std::vector<Element> values;
+  for (std::uint64_t t = 0; points.size() <= degree_bound; ++t) {
+    Element value = 0;
+    if (!pair.evaluate(field.from_residue(t), value)) continue;
+    points.push_back(t);
+    values.push_back(value);
+  }
+  residues = interpolate(field, points, std::move(values));
+  for (auto& r : residues) r = field.residue(r);
+  return true;
+}
+
+} // namespace
+
+Integer_polynomial resultant(const Bivariate& f, const Bivariate& g, const Checkpoint& checkpoint)
+{
+  const std::size_t n = f.size() - 1;
+  const std::size_t m = g.size() - 1;
+  const std::size_t degree_bound =
+      std::min(m * inner_degree(f) + n * inner_degree(g), total_degree(f) * total_degree(g));
+  const std::size_t bits = m * norm_bits(f) + n * norm_bits(g) + 2;
+  Chinese_remainder remainder;
+  for (std::size_t number = 0; number == 0 || mpz_sizeinbase(remainder.modulus().get_mpz_t(), 2) <= bits + 1;
+       ++number) {
+    if (checkpoint) checkpoint();
+    const Prime_field field(large_prime(number));
+    std::vector<std::uint64_t> residues;
+    if (resultant_image(field, f, g, degree_bound, residues)) remainder.add(field.prime(), residues);
+  }
+  auto result = remainder.symmetric();
+  trim(result);
+  return result;
+}
+
+} // namespace corral::exact

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "Plane_system.h"
+
+#include "Extension.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace corral::exact {
+
+namespace {
+
+/// f over [alpha] x [beta], by Horner's rule in y.
+Rational_interval enclose(const Bivariate& f, const Rational_interval& x, const Rational_interval& y)
+{
+  Rational_interval value = 0;
+  for (std::size_t j = f.size(); j-- > 0;) value = value * y + evaluate(f[j], x);
+  return value;
+}
+
+Extension_polynomial over_extension(const Bivariate& f, const Extension& field)
+{
+  Extension_polynomial result;
+  for (const auto& c : f) result.push_back(field.reduce(Rational_coefficients(c.begin(), c.end())));
+  while (!result.empty() && result.back().empty()) result.pop_back();
+  return result;
+}
+
+/// h(x, y) at a rational y: a polynomial in x, times a positive integer.
+Integer_polynomial at(const Extension_polynomial& h, const Rational& y)
+{
+  Rational_coefficients value;
+  for (std::size_t j = h.size(); j-- > 0;) {
+    for (Rational& c : value) c *= y;
+    if (value.size() < h[j].size()) value.resize(h[j].size());
+    for (std::size_t i = 0; i < h[j].size(); ++i) value[i] += h[j][i];
+  }
+  Integer denominator = 1;
+  for (const Rational& c : value) denominator = lcm(denominator, c.get_den());
+  Integer_polynomial result;
+  for (const Rational& c : value) result.push_back(c.get_num() * (denominator / c.get_den()));
+  trim(result);
+  return result;
+}
+
+/// The strict sign of p over the interval, shown by its Bernstein coefficients; 0 if they do not show one.
+int shown_sign(const Integer_polynomial& p, const Rational_interval& x)
+{
+  if (x.lower() == x.upper()) return sign_at(p, x.lower());
+  const auto b = bernstein_coefficients(compose_affine(p, x.lower(), x.upper() - x.lower()));
+  const int sign = sgn(b.front());
+  return std::all_of(b.begin(), b.end(), [&](const Integer& c) { return sgn(c) == sign; }) ? sign : 0;
+}
+
+Polynomial<Rational, 2> chain_element(const Extension_polynomial& h)
+{
+  std::vector<Polynomial<Rational, 2>::Term> terms;
+  for (std::size_t j = 0; j < h.size(); ++j)
+    for (std::size_t i = 0; i < h[j].size(); ++i)
+      if (h[j][i] != 0) terms.push_back({{static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(j)}, h[j][i]});
+  return collect<Rational, 2>(std::move(terms));
+}
+
+Extension_polynomial linear(const Rational& root)
+{
+  return root == 0 ? Extension_polynomial{{}, {1}} : Extension_polynomial{{-root}, {1}};
+}
+
+/// The polynomial x - a or m, monic, as the first element of a chain.
+Polynomial<Rational, 2> first_element(const Integer_polynomial& m, const Real_root& alpha)
+{
+  Extension_polynomial column(1);
+  if (alpha.is_point())
+    column[0] = {-alpha.lower(), 1};
+  else
+    for (const Integer& c : m) {
+      Rational monic(c, m.back());
+      monic.canonicalize();
+      column[0].push_back(monic);
+    }
+  return chain_element(column);
+}
+
+/// The modulus that belongs to alpha: x - a where it is rational.
+Integer_polynomial modulus(const Real_root& alpha)
+{
+  if (!alpha.is_point()) return alpha.polynomial();
+  return {-alpha.lower().get_num(), alpha.lower().get_den()};
+}
+
+} // namespace
+
+Plane_system::Plane_system(Polynomial<Integer, 2> f, Polynomial<Integer, 2> g) : f_(std::move(f)), g_(std::move(g)) {}
+
+void Plane_system::eliminate(const Checkpoint& checkpoint)
+{
+  if (eliminated_) return;
+  const auto in_x = resultant(bivariate(f_, 1), bivariate(g_, 1), checkpoint);
+  const auto in_y = resultant(bivariate(f_, 0), bivariate(g_, 0), checkpoint);
+  for (auto& factor : square_free_decomposition(in_x))
+    if (degree(factor) > 0) first_.push_back(std::make_shared<const Integer_polynomial>(std::move(factor)));
+  second_ = std::make_shared<const Integer_polynomial>(square_free_part(in_y));
+  eliminated_ = true;
+}
+
+std::vector<Triangular_zero<2>> Plane_system::zeros_in(const Rational_box<2>& box, bool first_only,
+                                                       const Checkpoint& checkpoint)
+{
+  std::vector<Triangular_zero<2>> zeros;
+  if (f_.is_constant() || g_.is_constant()) return zeros;
+  eliminate(checkpoint);
+  std::vector<Real_root> alphas;
+  for (const auto& factor : first_)
+    for (auto& root : isolate_simple_roots(factor, box[0], checkpoint)) alphas.push_back(std::move(root));
+  if (alphas.empty()) return zeros;
+  const auto betas = isolate_simple_roots(second_, box[1], checkpoint);
+  for (auto& alpha : alphas)
+    for (auto beta : betas) {
+      if (checkpoint) checkpoint();
+      if (excluded(alpha, beta)) continue;
+      if (auto zero = common_zero(alpha, beta, checkpoint)) {
+        zeros.push_back(std::move(*zero));
+        if (first_only) return zeros;
+      }
+    }
+  return zeros;
+}
+
+bool Plane_system::excluded(Real_root& alpha, Real_root& beta) const
+{
+  const auto f = bivariate(f_, 1);
+  const auto g = bivariate(g_, 1);
+  for (int round = 0; round < 5; ++round) {
+    if (!contains_zero(enclose(f, alpha.interval(), beta.interval()))) return true;
+    if (!contains_zero(enclose(g, alpha.interval(), beta.interval()))) return true;
+    alpha.refine();
+    beta.refine();
+  }
+  return false;
+}
+
+std::optional<Triangular_zero<2>> Plane_system::common_zero(Real_root alpha, Real_root beta,
+                                                            const Checkpoint& checkpoint) const
+{
+  (void)alpha.make_rational();
+  (void)beta.make_rational();
+  const auto f = bivariate(f_, 1);
+  const auto g = bivariate(g_, 1);
+  for (auto m = modulus(alpha);;) {
+    if (checkpoint) checkpoint();
+    try {
+      const Extension field(m, alpha);
+      auto h = field.gcd(over_extension(f, field), over_extension(g, field));
+      if (beta.is_point()) {
+        if (alpha.sign_of(at(h, beta.lower())) != 0) return std::nullopt;
+        h = linear(beta.lower());
+      } else {
+        h = field.square_free_part(h);
+        const auto below = at(h, beta.lower());
+        const auto above = at(h, beta.upper());
+        if (alpha.sign_of(below) == alpha.sign_of(above)) return std::nullopt;
+        while (shown_sign(below, alpha.interval()) == 0 || shown_sign(above, alpha.interval()) == 0) alpha.refine();
+      }
+      return Triangular_zero<2>{
+          {0, 1}, {first_element(m, alpha), chain_element(h)}, {alpha.interval(), beta.interval()}};
+    } catch (Extension::Split& split) {
+      m = std::move(split.factor);
+    }
+  }
+}
+
+} // namespace corral::exact
