@@ -86,6 +86,18 @@ private:
     expect(strict_sign(x.interval) == sign && contains_zero(x.interval) == (sign == 0), "strict_sign", x);
   }
 
+  /// An end point that is no number must not pass for a finite one nor for an infinity of the wrong sign.
+  void check_form(const I& result, const char* operation, const Operand& x, const Operand* y = nullptr)
+  {
+    const auto low = exact_lower(result);
+    const auto high = exact_upper(result);
+    const int low_sign = Interval_traits<I>::lower_sign(result);
+    const int high_sign = Interval_traits<I>::upper_sign(result);
+    expect(low_sign == (low ? sgn(*low) : -1) && high_sign == (high ? sgn(*high) : 1)
+               && (!low || !high || *low <= *high),
+           operation, x, y, &result);
+  }
+
   void check_hull(const Operand& x, const Operand& y)
   {
     const auto low = both(exact_lower(x.interval), exact_lower(y.interval));
@@ -112,6 +124,8 @@ private:
     const I cubed = power(x.interval, 3);
     const I fourth = power(x.interval, 4);
     expect(Interval_traits<I>::lower_sign(squared) >= 0, "sign of square", x, nullptr, &squared);
+    check_form(squared, "form of square", x);
+    check_form(cubed, "form of power 3", x);
     for (const auto& value : x.values) {
       expect_value(squared, value * value, "square", x);
       expect_value(cubed, value * value * value, "power 3", x);
@@ -125,6 +139,9 @@ private:
     const I sum = x.interval + y.interval;
     const I difference = x.interval - y.interval;
     const I product = x.interval * y.interval;
+    check_form(sum, "form of sum", x, &y);
+    check_form(difference, "form of difference", x, &y);
+    check_form(product, "form of product", x, &y);
     for (const auto& a : x.values)
       for (const auto& b : y.values) {
         expect_value(sum, a + b, "sum", x, &y);

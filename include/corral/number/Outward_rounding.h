@@ -54,8 +54,8 @@ private:
   {
     const auto bits = std::bit_cast<std::int64_t>(x);
     const std::int64_t away_or_toward_zero = (bits >> 63) | 1;
-    const bool steps = !is_upper_bound & (x < std::numeric_limits<double>::infinity());
-    return std::bit_cast<double>(bits + (steps ? away_or_toward_zero : 0));
+    const auto steps = static_cast<std::int64_t>(!is_upper_bound & (x < std::numeric_limits<double>::infinity()));
+    return std::bit_cast<double>(bits + (away_or_toward_zero & -steps)); // no branch: its outcome is a coin toss
   }
 
   /// a * b - product, exactly. \pre no operation leaves the range of normal doubles.
