@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <corral/output/tables.h>
+
+#include "Coarse_view.h"
+
+#include <nlohmann/json.hpp>
+
+#include <charconv>
+#include <string_view>
+
+namespace corral {
+
+std::string axis_name(const Output_options& options, std::size_t axis)
+{
+  if (axis < options.variables.size()) return options.variables[axis];
+  static constexpr const char* usual[] = {"x", "y", "z"};
+  return axis < 3 ? usual[axis] : 'x' + std::to_string(axis + 1);
+}
+
+namespace {
+
+// Numbers of a cell into a buffer, several times faster than streaming each.
+template <std::size_t D>
+class Index_text
+{
+public:
+  std::string_view operator()(const Cell<D>& cell)
+  {
+    char* end = buffer_;
+    for (const std::uint32_t index : cell) {
+      end = std::to_chars(end, buffer_ + sizeof buffer_, index).ptr;
+      *end++ = ',';
+    }
+    return {buffer_, static_cast<std::size_t>(end - buffer_)};
+  }
+
+private:
+  char buffer_[11 * D]; // ten digits and a comma each
+};
+
+template <std::size_t D>
+nlohmann::ordered_json summary(const Grid<D>& grid, const Cell_set<D>& cells, const Output_options& options)
+{
+  nlohmann::ordered_json result;
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    const auto& side = grid.box()[axis];
+    result["variables"].push_back(axis_name(options, axis));
+    result["box"].push_back({to_string(side.lower()), to_string(side.upper())});
+  }
+  result["resolution"] = grid.resolution();
+  for (const auto& [name, fact] : options.facts)
+    std::visit([&, &key = name](const auto& value) { result[key] = value; }, fact);
+  result["plotted"] = cells.plotted();
+  result["hit"] = cells.hit();
+  result["unknown"] = cells.unknown();
+  return result;
+}
+
+// Names and polynomials come from outside and need not be UTF-8.
+std::string dump(const nlohmann::ordered_json& object)
+{
+  return object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+} // namespace
+
+template <std::size_t D>
+void write_csv(std::ostream& out, const Grid<D>&, const Cell_set<D>& cells, const Output_options&)
+{
+  static_assert(D <= 8, "one letter an axis");
+  for (std::size_t axis = 0; axis < D; ++axis) out << static_cast<char>('i' + axis) << ',';
+  out << "verdict\n";
+  Index_text<D> text;
+  cells.for_each_sorted([&](const Cell<D>& cell, Verdict verdict) { out << text(cell) << to_string(verdict) << '\n'; });
+}
+
+template <std::size_t D>
+void write_json(std::ostream& out, const Grid<D>& grid, const Cell_set<D>& cells, const Output_options& options)
+{
+  std::string head = dump(summary(grid, cells, options));
+  head.pop_back(); // the closing brace: the cells are streamed, not held
+  out << head << ",\"cells\":[";
+  Index_text<D> text;
+  const char* separator = "\n[";
+  cells.for_each_sorted([&](const Cell<D>& cell, Verdict verdict) {
+    out << separator << text(cell) << '"' << to_string(verdict) << "\"]";
+    separator = ",\n[";
+  });
+  out << "\n]}\n";
+}
+
+template <std::size_t D>
+void write_summary(std::ostream& out, const Grid<D>& grid, const Cell_set<D>& cells, const Output_options& options)
+{
+  out << dump(summary(grid, cells, options)) << '\n';
+}
+
+template <std::size_t D>
+void write_text(std::ostream& out, const Grid<D>& grid, const Cell_set<D>& cells, const Output_options& options)
+{
+  Resolution<D> limit;
+  limit.fill(D <= 2 ? 128 : 32);
+  const Coarse_view<D> view = coarsen(grid, cells, limit);
+  const std::uint32_t height = D == 1 ? 1 : view.resolution[1 % D];
+  std::uint32_t slices = 1;
+  for (std::size_t axis = 2; axis < D; ++axis) slices *= view.resolution[axis];
+  for (std::uint32_t slice = 0; slice < slices; ++slice) {
+    Cell<D> cell{};
+    std::uint32_t rest = slice;
+    for (std::size_t axis = D; axis-- > 2; rest /= view.resolution[axis]) cell[axis] = rest % view.resolution[axis];
+    for (std::size_t axis = 2; axis < D; ++axis)
+      out << "slice " << axis_name(options, axis) << ' ' << cell[axis] << (axis + 1 < D ? ", " : "\n");
+    for (std::uint32_t row = height; row-- > 0; out << '\n') {
+      if (D > 1) cell[1 % D] = row;
+      for (cell[0] = 0; cell[0] < view.resolution[0]; ++cell[0])
+        out << ".?#"[static_cast<std::size_t>(view.cells.at(cell))];
+    }
+  }
+}
+
+#define CORRAL_INSTANTIATE(D)                                                                                          \
+  template void write_csv<D>(std::ostream&, const Grid<D>&, const Cell_set<D>&, const Output_options&);                \
+  template void write_json<D>(std::ostream&, const Grid<D>&, const Cell_set<D>&, const Output_options&);               \
+  template void write_summary<D>(std::ostream&, const Grid<D>&, const Cell_set<D>&, const Output_options&);            \
+  template void write_text<D>(std::ostream&, const Grid<D>&, const Cell_set<D>&, const Output_options&);
+CORRAL_INSTANTIATE(1)
+CORRAL_INSTANTIATE(2)
+CORRAL_INSTANTIATE(3)
+CORRAL_INSTANTIATE(4)
+
+} // namespace corral
