@@ -4,6 +4,8 @@
 #include "Prime_field.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 namespace corral::exact {
 
@@ -96,14 +98,13 @@ public:
   /// Whether the degrees in y survive modulo the prime.
   [[nodiscard]] bool is_lucky() const { return !f_.back().empty() && !g_.back().empty(); }
 
-  /// The resultant at `x`, if the degrees in y survive there.
-  [[nodiscard]] bool evaluate(Element x, Element& result) const
+  /// The elimination at `x`, if the degrees in y survive there.
+  [[nodiscard]] std::optional<Modular_elimination> evaluate(Element x) const
   {
     const auto a = at(f_, x);
     const auto b = at(g_, x);
-    if (a.back() == 0 || b.back() == 0) return false;
-    result = modular_resultant(field_, a, b);
-    return true;
+    if (a.back() == 0 || b.back() == 0) return std::nullopt;
+    return modular_elimination(field_, a, b);
   }
 
 private:
@@ -149,44 +150,73 @@ std::vector<Element> interpolate(const Prime_field& field, const std::vector<std
   return result;
 }
 
-/// The resultant modulo one prime; false if the prime is unlucky.
-bool resultant_image(const Prime_field& field, const Bivariate& f, const Bivariate& g, std::size_t degree_bound,
-                     std::vector<std::uint64_t>& residues)
+/// The values of an elimination at many points modulo one prime.
+struct Samples
 {
-  const Modular_pair pair(field, f, g);
-  if (!pair.is_lucky()) return false;
   std::vector<std::uint64_t> points;
-  std::vector<Element> values;
-  for (std::uint64_t t = 0; points.size() <= degree_bound; ++t) {
-    Element value = 0;
-    if (!pair.evaluate(field.from_residue(t), value)) continue;
-    points.push_back(t);
-    values.push_back(value);
+  std::vector<Element> resultant;
+  std::vector<Element> s1;
+  std::vector<Element> s0;
+};
+
+/// Samples at `count` points; empty if too few points are found where the linear subresultant is known.
+Samples sample(const Prime_field& field, const Modular_pair& pair, std::size_t count, bool with_linear)
+{
+  Samples samples;
+  const std::uint64_t patience = 3 * count + 100;
+  for (std::uint64_t t = 0; samples.points.size() < count; ++t) {
+    if (with_linear && t > patience) return {};
+    const auto value = pair.evaluate(field.from_residue(t));
+    if (!value || (with_linear && !value->has_linear)) continue;
+    samples.points.push_back(t);
+    samples.resultant.push_back(value->resultant);
+    samples.s1.push_back(value->s1);
+    samples.s0.push_back(value->s0);
   }
-  residues = interpolate(field, points, std::move(values));
-  for (auto& r : residues) r = field.residue(r);
-  return true;
+  return samples;
 }
 
 } // namespace
 
-Integer_polynomial resultant(const Bivariate& f, const Bivariate& g, const Checkpoint& checkpoint)
+Elimination eliminate(const Bivariate& f, const Bivariate& g, const Checkpoint& checkpoint)
 {
   const std::size_t n = f.size() - 1;
   const std::size_t m = g.size() - 1;
+  // Bounds for the Sylvester determinant; those of the linear subresultant, its minors, are smaller.
   const std::size_t degree_bound =
       std::min(m * inner_degree(f) + n * inner_degree(g), total_degree(f) * total_degree(g));
   const std::size_t bits = m * norm_bits(f) + n * norm_bits(g) + 2;
-  Chinese_remainder remainder;
-  for (std::size_t number = 0; number == 0 || mpz_sizeinbase(remainder.modulus().get_mpz_t(), 2) <= bits + 1;
+  std::array<Chinese_remainder, 3> remainders;
+  bool with_linear = n > 0 && m > 0;
+  for (std::size_t number = 0; number == 0 || mpz_sizeinbase(remainders[0].modulus().get_mpz_t(), 2) <= bits + 1;
        ++number) {
     if (checkpoint) checkpoint();
     const Prime_field field(large_prime(number));
-    std::vector<std::uint64_t> residues;
-    if (resultant_image(field, f, g, degree_bound, residues)) remainder.add(field.prime(), residues);
+    const Modular_pair pair(field, f, g);
+    if (!pair.is_lucky()) continue;
+    auto samples = sample(field, pair, degree_bound + 1, with_linear);
+    if (samples.points.empty()) {
+      with_linear = false;
+      samples = sample(field, pair, degree_bound + 1, false);
+    }
+    const auto add = [&](Chinese_remainder& remainder, std::vector<Element> values) {
+      auto residues = interpolate(field, samples.points, std::move(values));
+      for (auto& r : residues) r = field.residue(r);
+      remainder.add(field.prime(), residues);
+    };
+    add(remainders[0], std::move(samples.resultant));
+    if (!with_linear) continue;
+    add(remainders[1], std::move(samples.s1));
+    add(remainders[2], std::move(samples.s0));
   }
-  auto result = remainder.symmetric();
-  trim(result);
+  Elimination result{remainders[0].symmetric(), {}, {}};
+  trim(result.resultant);
+  if (with_linear) {
+    result.s1 = remainders[1].symmetric();
+    result.s0 = remainders[2].symmetric();
+    trim(result.s1);
+    trim(result.s0);
+  }
   return result;
 }
 

@@ -23,12 +23,20 @@ using Bivariate = std::vector<Integer_polynomial>;
 
 [[nodiscard]] Bivariate derivative(const Bivariate& f);
 
-/// \brief The resultant of f and g with respect to y, a polynomial in x; empty iff they have a common factor.
+/// What eliminating y from f and g leaves in Z[x].
+struct Elimination
+{
+  Integer_polynomial resultant; ///< empty iff f and g have a common factor
+  Integer_polynomial s1;        ///< s1 y + s0 is the linear subresultant; both empty if it is not known
+  Integer_polynomial s0;
+};
+
+/// \brief The resultant of f and g with respect to y and their linear subresultant.
 ///
 /// Evaluation at enough x modulo enough primes; the sizes are bounded in advance (Hadamard), nothing is left to chance.
 /// \pre Neither is zero. \throw whatever `checkpoint` throws; it is called for each prime.
 /// \par Reference  Collins 1971, "The calculation of multivariate polynomial resultants".
-[[nodiscard]] Integer_polynomial resultant(const Bivariate& f, const Bivariate& g, const Checkpoint& checkpoint = {});
+[[nodiscard]] Elimination eliminate(const Bivariate& f, const Bivariate& g, const Checkpoint& checkpoint = {});
 
 } // namespace corral::exact
 

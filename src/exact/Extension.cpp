@@ -2,6 +2,8 @@
 #include "Extension.h"
 
 #include <algorithm>
+#include <flint/fmpq_poly.h>
+#include <flint/fmpz_poly_factor.h>
 #include <utility>
 
 namespace corral::exact {
@@ -59,7 +61,56 @@ Integer_polynomial to_integer(const Rational_coefficients& a)
   return primitive_part(std::move(result));
 }
 
+/// Owner of a FLINT polynomial over the rationals.
+class Flint_polynomial
+{
+public:
+  Flint_polynomial() { fmpq_poly_init(value_); }
+  explicit Flint_polynomial(const Rational_coefficients& a)
+  {
+    fmpq_poly_init(value_);
+    for (std::size_t i = 0; i < a.size(); ++i) fmpq_poly_set_coeff_mpq(value_, static_cast<slong>(i), a[i].get_mpq_t());
+  }
+  Flint_polynomial(const Flint_polynomial&) = delete;
+  Flint_polynomial& operator=(const Flint_polynomial&) = delete;
+  ~Flint_polynomial() { fmpq_poly_clear(value_); }
+
+  [[nodiscard]] fmpq_poly_struct* get() { return value_; }
+  [[nodiscard]] const fmpq_poly_struct* get() const { return value_; }
+  [[nodiscard]] Rational_coefficients coefficients() const
+  {
+    Rational_coefficients result(static_cast<std::size_t>(fmpq_poly_length(value_)));
+    for (std::size_t i = 0; i < result.size(); ++i)
+      fmpq_poly_get_coeff_mpq(result[i].get_mpq_t(), value_, static_cast<slong>(i));
+    return result;
+  }
+
+private:
+  fmpq_poly_t value_;
+};
+
 } // namespace
+
+Integer_polynomial irreducible_factor(const Real_root& alpha)
+{
+  const auto& p = alpha.polynomial();
+  fmpz_poly_t flint;
+  fmpz_poly_init(flint);
+  for (std::size_t i = 0; i < p.size(); ++i) fmpz_poly_set_coeff_mpz(flint, static_cast<slong>(i), p[i].get_mpz_t());
+  fmpz_poly_factor_t factors;
+  fmpz_poly_factor_init(factors);
+  fmpz_poly_factor(factors, flint);
+  Integer_polynomial result = p;
+  for (slong k = 0; k < factors->num; ++k) {
+    Integer_polynomial factor(static_cast<std::size_t>(fmpz_poly_length(factors->p + k)));
+    for (std::size_t i = 0; i < factor.size(); ++i)
+      fmpz_poly_get_coeff_mpz(factor[i].get_mpz_t(), factors->p + k, static_cast<slong>(i));
+    if (sign_at(factor, alpha.lower()) != sign_at(factor, alpha.upper())) result = std::move(factor);
+  }
+  fmpz_poly_factor_clear(factors);
+  fmpz_poly_clear(flint);
+  return result;
+}
 
 Extension::Extension(Integer_polynomial m, Real_root alpha) : m_(std::move(m)), alpha_(std::move(alpha))
 {
@@ -83,25 +134,18 @@ Rational_coefficients Extension::multiply(const Rational_coefficients& a, const 
 
 Rational_coefficients Extension::inverse(const Rational_coefficients& a) const
 {
-  // Extended Euclid on m and a, the cofactor of a alone.
-  Rational_coefficients r0 = monic_;
-  Rational_coefficients r1 = a;
-  Rational_coefficients s0;
-  Rational_coefficients s1 = {1};
-  while (r1.size() > 1) {
-    auto quotient = divide_rational(r0, r1);
-    subtract(s0, product(quotient, s1));
-    std::swap(r0, r1);
-    std::swap(s0, s1);
-  }
-  if (r1.empty()) { // r0 is a common factor: alpha is a root of it or of its cofactor
-    auto common = to_integer(r0);
-    auto alpha = alpha_;
-    if (alpha.sign_of(common) == 0) throw Split{std::move(common)};
-    throw Split{exact_quotient(m_, common)};
-  }
-  for (Rational& c : s1) c /= r1.front();
-  return reduce(std::move(s1));
+  const Flint_polynomial element(a);
+  const Flint_polynomial modulus(monic_);
+  Flint_polynomial common;
+  Flint_polynomial cofactor;
+  Flint_polynomial other;
+  fmpq_poly_xgcd(common.get(), cofactor.get(), other.get(), element.get(), modulus.get()); // common is monic
+  if (fmpq_poly_degree(common.get()) == 0) return cofactor.coefficients();
+  // alpha is a root of the common factor or of its cofactor
+  auto factor = to_integer(common.coefficients());
+  auto alpha = alpha_;
+  if (alpha.sign_of(factor) == 0) throw Split{std::move(factor)};
+  throw Split{exact_quotient(primitive_part(m_), factor)};
 }
 
 void Extension::make_monic(Extension_polynomial& p) const

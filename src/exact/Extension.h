@@ -48,6 +48,9 @@ private:
   Real_root alpha_;
 };
 
+/// The irreducible factor of alpha's polynomial that vanishes at alpha (FLINT). \pre alpha is not known as a rational.
+[[nodiscard]] Integer_polynomial irreducible_factor(const Real_root& alpha);
+
 } // namespace corral::exact
 
 #endif

@@ -81,49 +81,96 @@ Polynomial<Rational, 2> first_element(const Integer_polynomial& m, const Real_ro
   return chain_element(column);
 }
 
-/// The modulus that belongs to alpha: x - a where it is rational.
-Integer_polynomial modulus(const Real_root& alpha)
+/// The minimal polynomial of alpha.
+Integer_polynomial irreducible_modulus(const Real_root& alpha)
 {
-  if (!alpha.is_point()) return alpha.polynomial();
+  if (!alpha.is_point()) return irreducible_factor(alpha);
   return {-alpha.lower().get_num(), alpha.lower().get_den()};
+}
+
+/// s1 y + s0 at a rational y, times a positive integer.
+Integer_polynomial linear_at(const Integer_polynomial& s1, const Integer_polynomial& s0, const Rational& y)
+{
+  Integer_polynomial result(std::max(s1.size(), s0.size()));
+  for (std::size_t i = 0; i < s1.size(); ++i) result[i] += s1[i] * y.get_num();
+  for (std::size_t i = 0; i < s0.size(); ++i) result[i] += s0[i] * y.get_den();
+  trim(result);
+  return result;
 }
 
 } // namespace
 
 Plane_system::Plane_system(Polynomial<Integer, 2> f, Polynomial<Integer, 2> g) : f_(std::move(f)), g_(std::move(g)) {}
 
-void Plane_system::eliminate(const Checkpoint& checkpoint)
+void Plane_system::eliminate_y(const Checkpoint& checkpoint)
 {
-  if (eliminated_) return;
-  const auto in_x = resultant(bivariate(f_, 1), bivariate(g_, 1), checkpoint);
-  const auto in_y = resultant(bivariate(f_, 0), bivariate(g_, 0), checkpoint);
-  for (auto& factor : square_free_decomposition(in_x))
+  if (elimination_) return;
+  elimination_ = eliminate(bivariate(f_, 1), bivariate(g_, 1), checkpoint);
+  for (auto& factor : square_free_decomposition(elimination_->resultant))
     if (degree(factor) > 0) first_.push_back(std::make_shared<const Integer_polynomial>(std::move(factor)));
-  second_ = std::make_shared<const Integer_polynomial>(square_free_part(in_y));
-  eliminated_ = true;
 }
 
-std::vector<Triangular_zero<2>> Plane_system::zeros_in(const Rational_box<2>& box, bool first_only,
+std::vector<Triangular_zero<2>> Plane_system::zeros_in(const Rational_box<2>& box, bool first_only, bool with_chain,
                                                        const Checkpoint& checkpoint)
 {
   std::vector<Triangular_zero<2>> zeros;
   if (f_.is_constant() || g_.is_constant()) return zeros;
-  eliminate(checkpoint);
-  std::vector<Real_root> alphas;
+  eliminate_y(checkpoint);
   for (const auto& factor : first_)
-    for (auto& root : isolate_simple_roots(factor, box[0], checkpoint)) alphas.push_back(std::move(root));
-  if (alphas.empty()) return zeros;
-  const auto betas = isolate_simple_roots(second_, box[1], checkpoint);
-  for (auto& alpha : alphas)
-    for (auto beta : betas) {
+    for (auto& alpha : isolate_simple_roots(factor, box[0], checkpoint)) {
       if (checkpoint) checkpoint();
-      if (excluded(alpha, beta)) continue;
-      if (auto zero = common_zero(alpha, beta, checkpoint)) {
-        zeros.push_back(std::move(*zero));
-        if (first_only) return zeros;
+      const auto fibre = over(alpha, box[1]);
+      if (fibre == Over::one)
+        zeros.push_back(with_chain ? linear_zero(alpha, box[1])
+                                   : Triangular_zero<2>{{}, {}, {alpha.interval(), box[1]}});
+      if (fibre == Over::many) {
+        if (!second_)
+          second_ = std::make_shared<const Integer_polynomial>(
+              square_free_part(eliminate(bivariate(f_, 0), bivariate(g_, 0), checkpoint).resultant));
+        for (auto& beta : isolate_simple_roots(second_, box[1], checkpoint)) {
+          if (excluded(alpha, beta)) continue;
+          if (auto zero = common_zero(alpha, beta, checkpoint)) zeros.push_back(std::move(*zero));
+        }
       }
+      if (first_only && !zeros.empty()) return zeros;
     }
   return zeros;
+}
+
+Plane_system::Over Plane_system::over(Real_root& alpha, const Rational_interval& side) const
+{
+  const auto& s1 = elimination_->s1;
+  const auto& s0 = elimination_->s0;
+  if (s1.empty() || alpha.sign_of(s1) == 0) return Over::many;
+  if (alpha.sign_of(bivariate(f_, 1).back()) == 0 && alpha.sign_of(bivariate(g_, 1).back()) == 0) return Over::many;
+  const int below = alpha.sign_of(linear_at(s1, s0, side.lower()));
+  const int above = alpha.sign_of(linear_at(s1, s0, side.upper()));
+  return below * above <= 0 ? Over::one : Over::none;
+}
+
+Triangular_zero<2> Plane_system::linear_zero(Real_root alpha, const Rational_interval& side) const
+{
+  (void)alpha.make_rational();
+  const auto& [resultant, s1, s0] = *elimination_;
+  for (auto m = irreducible_modulus(alpha);;) {
+    try {
+      const Extension field(m, alpha);
+      const auto inverse = field.inverse(field.reduce(Rational_coefficients(s1.begin(), s1.end())));
+      auto y = field.multiply(field.reduce(Rational_coefficients(s0.begin(), s0.end())), inverse); // minus y
+      for (const Rational& end : {side.lower(), side.upper()})
+        if (alpha.sign_of(linear_at(s1, s0, end)) == 0)
+          return {{0, 1},
+                  {first_element(m, alpha), chain_element(linear(end))},
+                  {alpha.interval(), Rational_interval(end)}};
+      const Extension_polynomial h = {std::move(y), {1}};
+      const auto below = at(h, side.lower());
+      const auto above = at(h, side.upper());
+      while (shown_sign(below, alpha.interval()) * shown_sign(above, alpha.interval()) == 0) alpha.refine();
+      return {{0, 1}, {first_element(m, alpha), chain_element(h)}, {alpha.interval(), side}};
+    } catch (Extension::Split& split) {
+      m = std::move(split.factor);
+    }
+  }
 }
 
 bool Plane_system::excluded(Real_root& alpha, Real_root& beta) const
@@ -146,7 +193,7 @@ std::optional<Triangular_zero<2>> Plane_system::common_zero(Real_root alpha, Rea
   (void)beta.make_rational();
   const auto f = bivariate(f_, 1);
   const auto g = bivariate(g_, 1);
-  for (auto m = modulus(alpha);;) {
+  for (auto m = irreducible_modulus(alpha);;) {
     if (checkpoint) checkpoint();
     try {
       const Extension field(m, alpha);

@@ -92,24 +92,41 @@ Modular_polynomial modular_gcd(const Prime_field& field, Modular_polynomial p, M
   return p;
 }
 
-Element modular_resultant(const Prime_field& field, Modular_polynomial p, Modular_polynomial q)
+Modular_elimination modular_elimination(const Prime_field& field, Modular_polynomial p, Modular_polynomial q)
 {
-  Element result = field.one();
+  Modular_elimination result;
+  Element resultant = field.one(); // factor of the resultant found so far
+  Element linear = field.one();    // and of the linear subresultant
+  const auto odd_steps = [&](std::size_t n, std::size_t m) {
+    if (n % 2 == 1 && m % 2 == 1) resultant = field.subtract(0, resultant);
+    if (n % 2 == 0 && m % 2 == 0) linear = field.subtract(0, linear);
+  };
   if (p.size() < q.size()) {
-    if ((p.size() - 1) % 2 == 1 && (q.size() - 1) % 2 == 1) result = field.subtract(0, result);
+    odd_steps(p.size() - 1, q.size() - 1);
     std::swap(p, q);
   }
-  // res(p, q) = (-1)^(deg p deg q) lc(q)^(deg p - deg r) res(q, r) with r = p mod q
   while (q.size() > 1) {
     const std::size_t n = p.size() - 1;
     const std::size_t m = q.size() - 1;
+    if (m == 1) {
+      linear = field.multiply(linear, power(field, q.back(), n < 2 ? 0 : n - 2));
+      result.s1 = field.multiply(linear, q[1]);
+      result.s0 = field.multiply(linear, q[0]);
+      result.has_linear = true;
+    }
     reduce(field, p, q);
-    if (p.empty()) return 0;
-    result = field.multiply(result, power(field, q.back(), n - (p.size() - 1)));
-    if (n % 2 == 1 && m % 2 == 1) result = field.subtract(0, result);
+    if (p.empty()) { // a common factor of degree m: the subresultants below it vanish
+      result.has_linear = true;
+      return result;
+    }
+    const Element factor = power(field, q.back(), n - (p.size() - 1));
+    resultant = field.multiply(resultant, factor);
+    linear = field.multiply(linear, factor);
+    odd_steps(n, m);
     std::swap(p, q);
   }
-  return field.multiply(result, power(field, q.front(), p.size() - 1));
+  result.resultant = field.multiply(resultant, power(field, q.front(), p.size() - 1));
+  return result;
 }
 
 void Chinese_remainder::add(std::uint64_t prime, const std::vector<std::uint64_t>& residues)

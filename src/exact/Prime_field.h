@@ -62,10 +62,20 @@ using Modular_polynomial = std::vector<Prime_field::Element>;
 [[nodiscard]] Modular_polynomial image(const Prime_field& field, const std::vector<Integer>& p);
 [[nodiscard]] Modular_polynomial modular_gcd(const Prime_field& field, Modular_polynomial p, Modular_polynomial q);
 
-/// \brief The resultant of two polynomials that are not zero.
+/// The last two subresultants of two polynomials: the resultant and the linear one, s1 y + s0.
+struct Modular_elimination
+{
+  Prime_field::Element resultant = 0;
+  Prime_field::Element s1 = 0;
+  Prime_field::Element s0 = 0;
+  bool has_linear = false; ///< whether s1 and s0 are known; else the remainders skip degree 1
+};
+
+/// \brief The resultant of two polynomials that are not zero, and their linear subresultant.
 /// \par Complexity  deg p * deg q multiplications.
-[[nodiscard]] Prime_field::Element modular_resultant(const Prime_field& field, Modular_polynomial p,
-                                                     Modular_polynomial q);
+/// \par Reference  S_j(p, q) = (-1)^((n-j)(m-j)) lc(q)^(n-l) S_j(q, r) with r = p mod q of degree l >= j.
+[[nodiscard]] Modular_elimination modular_elimination(const Prime_field& field, Modular_polynomial p,
+                                                      Modular_polynomial q);
 
 /// \brief Integers known modulo a growing product of primes (Chinese remainders), read back in (-M/2, M/2).
 class Chinese_remainder

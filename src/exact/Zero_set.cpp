@@ -201,7 +201,7 @@ Cell_decision<D> Zero_set<D>::decide(const Bernstein_form<D>& form, const Ration
         return {Verdict::empty, Rung::integers, No_piece_inside<D>{axis, {box}}, {}};
   search.live.push_back({form, {}});
   const bool dear = form.values.size() > 170; // elimination costs more than many boxes
-  if (auto decision = subdivide(search, dear ? 40 : 6, dear ? 300 : 20)) return *decision;
+  if (auto decision = subdivide(search, dear ? 12 : 6, dear ? 60 : 20)) return *decision;
   return decide_by_algebra(search);
 }
 
@@ -219,7 +219,7 @@ std::optional<Cell_decision<D>> Zero_set<D>::decide_facets(const Bernstein_form<
         auto& set = restrictions_[{axis, value}];
         if (!set)
           set = std::make_unique<Zero_set<D - 1>>(
-              [this, axis, value] { return restriction(polynomial(), axis, value); }, checkpoint_);
+              [this, axis, value] { return restriction(polynomial(), axis, value); }, checkpoint_, witnesses_);
         Rational_box<D - 1> side_box;
         for (std::size_t k = 0, to = 0; k < D; ++k)
           if (k != axis) side_box[to++] = box[k];
@@ -306,8 +306,9 @@ Cell_decision<D> Zero_set<D>::decide_by_algebra(Search& search)
       const auto free = without_axis_lines(square_free_part(polynomial()));
       extremes_ = std::make_unique<Plane_system>(free, corral::derivative(free, 1));
     }
-    auto zeros = extremes_->zeros_in(search.box, true, checkpoint_);
+    auto zeros = extremes_->zeros_in(search.box, true, witnesses_ == Witnesses::all, checkpoint_);
     if (zeros.empty()) return {Verdict::empty, Rung::algebra, std::monostate{}, {}};
+    if (witnesses_ == Witnesses::simple) return {Verdict::hit, Rung::algebra, std::monostate{}, {}};
     return {Verdict::hit, Rung::algebra, std::move(zeros.front()), {}};
   } else {
     if (auto decision = subdivide(search, 40, 2000)) return *decision;

@@ -27,7 +27,9 @@ public:
   using Source = std::function<Polynomial<Integer, D>()>;
 
   /// `source` gives the polynomial; it is called at most once, and only if signs of coefficients do not suffice.
-  Zero_set(Source source, Checkpoint checkpoint) : source_(std::move(source)), checkpoint_(std::move(checkpoint)) {}
+  Zero_set(Source source, Checkpoint checkpoint, Witnesses witnesses)
+      : source_(std::move(source)), checkpoint_(std::move(checkpoint)), witnesses_(witnesses)
+  {}
 
   /// \brief Decides a closed box.
   /// \param form  the polynomial on `box`, times a positive number.
@@ -59,6 +61,7 @@ private:
 
   Source source_;
   Checkpoint checkpoint_;
+  Witnesses witnesses_;
   std::optional<Polynomial<Integer, D>> polynomial_;
   std::map<std::pair<std::size_t, Rational>, std::unique_ptr<Zero_set<(D > 1 ? D - 1 : 1)>>> restrictions_;
   std::unique_ptr<Plane_system> extremes_; ///< D = 2: g and its derivative by y

@@ -32,9 +32,9 @@ Polynomial<Integer, D> in_grid_coordinates(const Polynomial<Integer, D>& f, cons
 template <std::size_t D>
 struct Cell_decider<D>::State
 {
-  State(const Polynomial<Rational, D>& f, const Grid<D>& the_grid, const Checkpoint& checkpoint)
+  State(const Polynomial<Rational, D>& f, const Grid<D>& the_grid, const Checkpoint& checkpoint, Witnesses witnesses)
       : grid(the_grid), free(square_free_part(f)), form(exact::dense_power_form(in_grid_coordinates(free, the_grid))),
-        zeros([g = free] { return g; }, checkpoint)
+        zeros([g = free] { return g; }, checkpoint, witnesses)
   {}
 
   Grid<D> grid;
@@ -44,11 +44,12 @@ struct Cell_decider<D>::State
 };
 
 template <std::size_t D>
-Cell_decider<D>::Cell_decider(const Polynomial<Rational, D>& f, const Grid<D>& grid, Checkpoint checkpoint)
+Cell_decider<D>::Cell_decider(const Polynomial<Rational, D>& f, const Grid<D>& grid, Checkpoint checkpoint,
+                              Witnesses witnesses)
 {
   if (f.is_zero())
     throw Invalid_input("exact decision: the polynomial is zero; expected one that does not vanish everywhere");
-  state_ = std::make_unique<State>(f, grid, checkpoint);
+  state_ = std::make_unique<State>(f, grid, checkpoint, witnesses);
 }
 
 template <std::size_t D>
@@ -83,7 +84,7 @@ Ideal_raster<D> ideal_raster(const Polynomial<Rational, D>& f, const Grid<D>& gr
   const Checkpoint checkpoint = [&] {
     if (options.progress && !options.progress(done, total)) throw Cancelled("exact decision: stopped on request");
   };
-  Cell_decider<D> decider(f, grid, checkpoint);
+  Cell_decider<D> decider(f, grid, checkpoint, Witnesses::simple);
   bool stopped = false;
   const auto decide = [&](const Cell<D>& cell, Verdict known) -> Cell_decision<D> {
     if (known == Verdict::hit) return {Verdict::hit, Rung::floats, {}, {}};

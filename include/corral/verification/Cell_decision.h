@@ -25,6 +25,12 @@ inline constexpr std::size_t rung_count = 5;
 inline constexpr std::array<std::string_view, rung_count> rung_names = {"floats", "intervals", "mpfr", "integers",
                                                                         "algebra"};
 
+/// Which witnesses a decision makes. An exact algebraic point can cost more to write down than to find.
+enum class Witnesses : std::uint8_t {
+  simple, ///< all but algebraic points of the plane, for which the witness is left empty
+  all
+};
+
 /// The verdict of one closed cell with the rung that decided it and, if that was an exact one, a witness.
 template <std::size_t D>
 struct Cell_decision

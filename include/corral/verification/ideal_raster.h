@@ -32,7 +32,8 @@ class Cell_decider
 public:
   /// \param checkpoint  called now and then during long decisions; it stops them by throwing.
   /// \throw Invalid_input if `f` is zero.
-  Cell_decider(const Polynomial<Rational, D>& f, const Grid<D>& grid, Checkpoint checkpoint = {});
+  Cell_decider(const Polynomial<Rational, D>& f, const Grid<D>& grid, Checkpoint checkpoint = {},
+               Witnesses witnesses = Witnesses::all);
   Cell_decider(Cell_decider&&) noexcept;
   Cell_decider& operator=(Cell_decider&&) noexcept;
   ~Cell_decider();

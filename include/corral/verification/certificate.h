@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CORRAL_VERIFICATION_CERTIFICATE_H
+#define CORRAL_VERIFICATION_CERTIFICATE_H
+
+#include <corral/localization/Grid.h>
+#include <corral/polynomial/Polynomial.h>
+#include <corral/verification/Witness.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// \file
+/// Certificates: the verdict of every cell of a grid with its proof, as a file that a program which shares no code
+/// with this library can check. The format is specified in doc/certificate.md; `corral-check` checks it.
+namespace corral {
+
+/// A `hit` that the corners of its cell do not show, with what proves it.
+template <std::size_t D>
+struct Proved_cell
+{
+  Cell<D> cell{};
+  Witness<D> witness{}; ///< a `Sign_change` or a `Triangular_zero`, of the square-free part
+};
+
+/// \brief What a file of proofs contains; doc/certificate.md gives the meaning of the parts.
+template <std::size_t D>
+struct Certificate
+{
+  Polynomial<Rational, D> polynomial;    ///< as given
+  Polynomial<Integer, D> square_free;    ///< the proofs are about this one, which has the same zeros
+  unsigned power = 1;                    ///< `polynomial` divides this power of `square_free`
+  Grid<D> grid;                          ///< the cells
+  std::string tree;                      ///< one character for each box
+  std::vector<Proved_cell<D>> witnesses; ///< those that the tree refers to, in its order
+  std::vector<std::string> reasons;      ///< why cells are unknown
+  std::uint64_t empty = 0;               ///< number of cells
+  std::uint64_t hit = 0;                 ///< number of cells
+  std::uint64_t unknown = 0;             ///< number of cells
+
+  [[nodiscard]] std::uint64_t plotted() const { return hit + unknown; }
+};
+
+/// How much to spend on a certificate.
+struct Certify_options
+{
+  /// The number of boxes into which one cell may be cut to prove that it is empty.
+  std::size_t max_boxes = std::size_t{1} << 16;
+  /// Asked before each box; `false` stops. What is proved by then is kept, and the rest is unknown.
+  std::function<bool()> keep_going{};
+};
+
+/// \brief Decides every cell of the grid exactly and proves it.
+///
+/// Boxes without zeros are proved empty by Bernstein coefficients over integers, cells by the signs at their corners;
+/// the few others are decided by `Cell_decider` and proved by its witness. A decision that leaves no witness which the
+/// format can hold is given up as unknown, with a reason: nothing is written that a checker would refuse.
+///
+/// \throw Invalid_input if `f` is zero or the grid has 2^62 cells or more.
+/// \throw Budget_exceeded if the degrees are above the limits of the format.
+/// \par Complexity  As for an ideal raster; n^2/2 additions of integers for each box and line of degree n.
+template <std::size_t D>
+[[nodiscard]] Certificate<D> certify(const Polynomial<Rational, D>& f, const Grid<D>& grid,
+                                     const Certify_options& options = {});
+
+/// The certificate as JSON text. \throw Invalid_input if two variables have the same name.
+template <std::size_t D>
+[[nodiscard]] std::string to_json(const Certificate<D>& certificate, const std::array<std::string, D>& variables);
+
+/// The gzip compression of some bytes; the same bytes give the same result.
+[[nodiscard]] std::string gzip(std::string_view bytes);
+
+} // namespace corral
+
+#endif

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <corral/polynomial/integer_form.h>
+#include <corral/verification/certificate.h>
+
+#include <nlohmann/json.hpp>
+
+#include <zlib.h>
+
+#include <algorithm>
+
+namespace corral {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class NT, std::size_t D>
+Json terms(const Polynomial<NT, D>& f)
+{
+  Json result = Json::array();
+  for (const auto& term : f.terms()) {
+    Json entry = Json::array({term.coefficient.get_str()});
+    for (const auto exponent : term.exponents) entry.push_back(exponent);
+    result.push_back(std::move(entry));
+  }
+  return result;
+}
+
+template <std::size_t D>
+Json sides(const Rational_box<D>& box)
+{
+  Json result = Json::array();
+  for (const auto& side : box) result.push_back({side.lower().get_str(), side.upper().get_str()});
+  return result;
+}
+
+template <std::size_t D>
+Json write(const Sign_change<D>& change, const Grid<D>& grid, const Cell<D>& cell)
+{
+  const auto in_cell = [&](const Rational_point<D>& point) {
+    Json result = Json::array();
+    for (std::size_t axis = 0; axis < D; ++axis)
+      result.push_back(Rational((point[axis] - grid.line(axis, cell[axis])) / grid.step(axis)).get_str());
+    return result;
+  };
+  Json points = Json::array({in_cell(change.first)});
+  if (change.second != change.first) points.push_back(in_cell(change.second));
+  return {{"points", std::move(points)}};
+}
+
+template <std::size_t D>
+Json write(const Triangular_zero<D>& zero)
+{
+  Json chain = Json::array();
+  for (const auto& element : zero.chain) chain.push_back(terms(element));
+  return {{"triangular", {{"order", zero.order}, {"chain", std::move(chain)}, {"box", sides<D>(zero.box)}}}};
+}
+
+template <std::size_t D>
+Json write(const Proved_cell<D>& proved, const Grid<D>& grid)
+{
+  if (const auto* change = std::get_if<Sign_change<D>>(&proved.witness)) return write(*change, grid, proved.cell);
+  return write(std::get<Triangular_zero<D>>(proved.witness));
+}
+
+template <std::size_t D>
+Json square_free(const Certificate<D>& certificate)
+{
+  if (integer_primitive(certificate.polynomial) == certificate.square_free) return nullptr;
+  return Json::array({{{"polynomial", terms(certificate.square_free)}, {"power", certificate.power}}});
+}
+
+} // namespace
+
+template <std::size_t D>
+std::string to_json(const Certificate<D>& certificate, const std::array<std::string, D>& variables)
+{
+  for (auto name = variables.begin(); name != variables.end(); ++name)
+    if (std::find(variables.begin(), name, *name) != name)
+      throw Invalid_input("certificate: the variable name '" + *name + "' is given twice; expected different names");
+  Json witnesses = Json::array();
+  for (const auto& proved : certificate.witnesses) witnesses.push_back(write(proved, certificate.grid));
+  Json root;
+  root["format"] = "corral-certificate";
+  root["version"] = 1;
+  root["dimension"] = D;
+  root["variables"] = variables;
+  root["polynomials"] = Json::array({terms(certificate.polynomial)});
+  root["square_free"] = square_free(certificate);
+  root["box"] = sides<D>(certificate.grid.box());
+  root["resolution"] = certificate.grid.resolution();
+  root["method"] = "bernstein";
+  root["tree"] = certificate.tree;
+  root["witnesses"] = std::move(witnesses);
+  root["reasons"] = certificate.reasons;
+  root["empty"] = certificate.empty;
+  root["hit"] = certificate.hit;
+  root["unknown"] = certificate.unknown;
+  return root.dump() + '\n';
+}
+
+std::string gzip(std::string_view bytes)
+{
+  z_stream stream{};
+  constexpr int with_gzip_header = 15 + 16;
+  if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, with_gzip_header, 8, Z_DEFAULT_STRATEGY) != Z_OK)
+    throw Output_error("gzip: the compressor cannot be set up for " + std::to_string(bytes.size())
+                       + " bytes; expected enough memory");
+  std::string result(deflateBound(&stream, static_cast<uLong>(bytes.size())), '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data())); // zlib does not write there
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(result.data());
+  stream.avail_out = static_cast<uInt>(result.size());
+  const int status = deflate(&stream, Z_FINISH);
+  deflateEnd(&stream);
+  if (status != Z_STREAM_END)
+    throw Output_error("gzip: " + std::to_string(bytes.size()) + " bytes do not fit; expected less than 4 GiB");
+  result.resize(stream.total_out);
+  return result;
+}
+
+template std::string to_json(const Certificate<1>&, const std::array<std::string, 1>&);
+template std::string to_json(const Certificate<2>&, const std::array<std::string, 2>&);
+template std::string to_json(const Certificate<3>&, const std::array<std::string, 3>&);
+
+} // namespace corral

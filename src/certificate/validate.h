@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CORRAL_CERTIFICATE_VALIDATE_H
+#define CORRAL_CERTIFICATE_VALIDATE_H
+
+#include <corral/polynomial/Polynomial.h>
+#include <corral/verification/Witness.h>
+
+#include <cstddef>
+
+/// \file
+/// The conditions of doc/certificate.md, section 5, seen from the side that writes.
+namespace corral::certificate {
+
+/// Whether the witness proves a zero of `g` in the closed cell in a way that a checker accepts.
+template <std::size_t D>
+[[nodiscard]] bool is_acceptable(const Witness<D>& witness, const Polynomial<Rational, D>& g,
+                                 const Rational_box<D>& cell);
+
+/// Multiplicity of the most multiple factor of `f`, or more. \pre f is not zero.
+template <std::size_t D>
+[[nodiscard]] unsigned highest_multiplicity(const Polynomial<Rational, D>& f);
+
+} // namespace corral::certificate
+
+#endif

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "certificate_cases.h"
+#include "check.h"
+
+#include <localization/paper_polynomials.h>
+
+#include <corral/verification/ideal_raster.h>
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <set>
+
+namespace {
+
+using namespace certificate_test;
+using corral_check::check;
+using corral_check::Counts;
+using corral_check::Rejected;
+
+/// The message of the rejection, or the empty string.
+std::string rejection(const std::string& bytes)
+{
+  try {
+    (void)check(bytes);
+  } catch (const Rejected& error) {
+    return error.what();
+  }
+  return {};
+}
+
+template <std::size_t D>
+std::uint64_t exact_hits(const Case& c)
+{
+  const auto grid = cube<D>(c.lower, c.upper, c.cells);
+  Cell_decider<D> decider(parse_polynomial<D>(c.polynomial, names<D>()), grid);
+  std::uint64_t hits = 0;
+  Cell<D> cell{};
+  for (std::size_t axis = 0; axis < D;) {
+    hits += decider.decide(cell).verdict == Verdict::hit ? 1 : 0;
+    for (axis = 0; axis < D && ++cell[axis] == c.cells; ++axis) cell[axis] = 0;
+    if (axis < D) axis = 0;
+  }
+  return hits;
+}
+
+TEST(Certify, writes_what_the_checker_accepts)
+{
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.polynomial);
+    const std::string text = make_text(c);
+    const Counts counts = check(text);
+    EXPECT_EQ(counts.unknown, 0U);
+    const auto hits = c.dimension == 1 ? exact_hits<1>(c) : c.dimension == 2 ? exact_hits<2>(c) : exact_hits<3>(c);
+    EXPECT_EQ(counts.hit, hits);
+    if (c.hits != 0) {
+      EXPECT_EQ(counts.hit, c.hits);
+    }
+    EXPECT_EQ(counts.empty + counts.hit, std::uint64_t(std::pow(c.cells, double(c.dimension)) + 0.5));
+    const std::string packed = gzip(text);
+    EXPECT_EQ(check(packed).hit, counts.hit);
+  }
+}
+
+/// The size and the time that certificates of the paper's curves may take.
+TEST(Certify, is_small_and_quick_to_check_on_the_paper_s_curves)
+{
+  using Clock = std::chrono::steady_clock;
+  for (const auto& curve : corral::test::paper_curves) {
+    SCOPED_TRACE(curve.text);
+    const auto f = parse_polynomial<2>(curve.text, names<2>());
+    const auto start = Clock::now();
+    const auto certificate = certify(f, cube<2>("0", "1", 256));
+    const std::string packed = gzip(to_json(certificate, names<2>()));
+    const auto made = Clock::now();
+    const Counts counts = check(packed);
+    const auto checked = Clock::now();
+    EXPECT_EQ(counts.unknown, 0U);
+    EXPECT_LE(counts.hit, curve.maa_cells);
+    EXPECT_LE(packed.size(), 60 * certificate.plotted());
+    EXPECT_LE((checked - made).count(), 100 * (made - start).count());
+  }
+}
+
+TEST(Certify, keeps_what_it_has_proved_when_stopped)
+{
+  int boxes = 0;
+  Certify_options options;
+  options.keep_going = [&] { return ++boxes < 30; };
+  const auto certificate = certify(parse_polynomial<2>("x^2 + y^2 - 1", names<2>()), cube<2>("-2", "2", 16), options);
+  EXPECT_GT(certificate.unknown, 0U);
+  EXPECT_GT(certificate.empty + certificate.hit, 0U);
+  EXPECT_EQ(check(to_json(certificate, names<2>())).unknown, certificate.unknown);
+}
+
+TEST(Certify, gives_up_with_a_reason_when_boxes_run_out)
+{
+  Certify_options options;
+  options.max_boxes = 4;
+  const auto certificate =
+      certify(parse_polynomial<2>("(x - 1/3)^2 + (y - 1/5)^2 + 1e-30", names<2>()), cube<2>("0", "1", 2), options);
+  EXPECT_EQ(certificate.unknown, 1U);
+  ASSERT_EQ(certificate.reasons.size(), 1U);
+  EXPECT_EQ(check(to_json(certificate, names<2>())).unknown, 1U);
+}
+
+TEST(Certify, refuses_bad_input)
+{
+  const auto grid = cube<2>("0", "1", 2);
+  EXPECT_THROW(certify(Polynomial<Rational, 2>{}, grid), Invalid_input);
+  EXPECT_THROW(certify(parse_polynomial<2>("x^300*y^300 - 1", names<2>()), grid), Budget_exceeded);
+  const auto certificate = certify(parse_polynomial<2>("x - y", names<2>()), grid);
+  EXPECT_THROW((to_json<2>(certificate, {"x", "x"})), Invalid_input);
+}
+
+TEST(Checker, accepts_the_hand_written_files)
+{
+  const Counts expected[] = {{3, 1, 0}, {1, 0, 2}, {0, 1, 0}, {1, 1, 0}, {3, 1, 0}, {1, 1, 0}};
+  for (std::size_t i = 0; i < hand_written.size(); ++i) {
+    SCOPED_TRACE(hand_written[i]);
+    const Counts counts = check(hand_written_text(hand_written[i]));
+    EXPECT_EQ(counts.empty, expected[i].empty);
+    EXPECT_EQ(counts.hit, expected[i].hit);
+    EXPECT_EQ(counts.unknown, expected[i].unknown);
+  }
+}
+
+/// A text with one passage exchanged for another.
+std::string with(std::string text, const std::string& old_passage, const std::string& new_passage)
+{
+  const auto position = text.find(old_passage);
+  EXPECT_NE(position, std::string::npos) << old_passage;
+  return text.replace(position, old_passage.size(), new_passage);
+}
+
+TEST(Checker, says_what_is_wrong)
+{
+  const std::string minimal = hand_written_text("minimal");
+  const std::string touch = hand_written_text("irrational_touch");
+  const std::string line = hand_written_text("double_line");
+  const std::string system = hand_written_text("system");
+  const struct
+  {
+    std::string text;
+    const char* reason;
+  } faults[] = {
+      {with(minimal, "seshe", "seseh"), "leaf 3 at cell 2 level 0: the Bernstein coefficients do not exclude a zero"},
+      {with(minimal, "seshe", "seshh"), "leaf 4 at cell 3 level 0: the corners of the cell have one strict sign"},
+      {with(minimal, "seshe", "sesh"), "ends before all cells are covered"},
+      {with(minimal, "seshe", "seshee"), "continues after its end"},
+      {with(minimal, "seshe", "hes"), "h and w belong to cells"},
+      {with(minimal, "seshe", "se0"), "the reason is not in the list"},
+      {with(minimal, "seshe", "ses?e"), "the character is none of"},
+      {with(minimal, "seshe", "sesse0e"), "below a cell there is only s or e"},
+      {with(minimal, "seshe", "seswe"), "no witness left"},
+      {with(minimal, "seshe", std::string(1200, 's')), "deeper than 1000 levels"},
+      {with(minimal, "\"empty\": 3", "\"empty\": 2"), "empty: is not the number"},
+      {with(minimal, "\"hit\": 1", "\"hit\": 2"), "hit: is not the number"},
+      {with(minimal, "\"unknown\": 0", "\"unknown\": 1"), "unknown: is not the number"},
+      {with(minimal, "\"witnesses\": []", "\"witnesses\": [1]"), "does not use"},
+      {with(minimal, "\"reasons\": []", "\"reasons\": [\"why\"]"), "does not use"},
+      {with(minimal, "\"version\": 1", "\"version\": 2"), "version: expected 1"},
+      {with(minimal, "\"version\": 1", "\"version\": 1, \"version\": 1"), "appears twice"},
+      {with(minimal, "\"version\": 1", "\"version\": 1, \"more\": 1"), "not in the specification"},
+      {with(minimal, "\"version\": 1", "\"version\": 1.0"), "not an integer"},
+      {with(minimal, "\"version\": 1", "\"version\": NaN"), "not a JSON text"},
+      {with(minimal, "\"version\": 1", "\"version\": true"), "no place"},
+      {with(minimal, "\"version\": 1", "\"version\": 1e400"), "not a JSON text"},
+      {with(minimal, "bernstein", "magic"), "method"},
+      {with(minimal, "[4]", "[0]"), "resolution"},
+      {with(minimal, "[4]", "[1073741825]"), "resolution"},
+      {with(minimal, "[4]", "[-4]"), "sign"},
+      {with(minimal, "[[\"0\", \"2\"]]", "[[\"2\", \"2\"]]"), "empty or a point"},
+      {with(minimal, "\"2\"", "\"4/2\""), "lowest terms"},
+      {with(minimal, "\"2\"", "\"2/1\""), "lowest terms"},
+      {with(minimal, "\"2\"", "\"2/0\""), "exact text"},
+      {with(minimal, "\"2\"", "\"02\""), "exact text"},
+      {with(minimal, "\"2\"", "\"+2\""), "exact text"},
+      {with(minimal, "\"2\"", "\"2e9\""), "exact text"},
+      {with(minimal, "\"2\"", '"' + std::string(100001, '2') + '"'), "100000"},
+      {with(minimal, "[\"1\", 2]", "[\"0\", 2]"), "a coefficient is 0"},
+      {with(minimal, "[\"1\", 2]", "[\"1\", 0]"), "not sorted"},
+      {with(minimal, "[\"1\", 2]", "[\"1\", 1001]"), "expected 0 to 1000"},
+      {with(minimal, "\"dimension\": 1", "\"dimension\": 7"), "dimension"},
+      {with(minimal, "\"dimension\": 1", "\"dimension\": 2"), "entries"},
+      {minimal + "{}", "not a JSON text"},
+      {minimal + std::string(1, '\0'), "zero byte"},
+      {"\xef\xbb\xbf" + minimal, "byte order mark"},
+      {minimal.substr(0, 200), "not a JSON text"},
+      {"", "not a JSON text"},
+      {"null", "expected an object"},
+      {std::string(1000000, '['), "more than 16 deep"},
+      {"[" + std::string(1000000, '{'), "not a JSON text"},
+      {with(line, "\"1/2\", \"0\"", "\"1/2\", \"-1\""), "outside the cell"},
+      {with(line, "\"1/2\", \"0\"", "\"1/2\", \"3/4\""), "witness 0 (leaf 1 at cell 0,0 level 0): "},
+      {with(line, "[\"1/2\", \"0\"], ", ""), "the point is not a zero"},
+      {with(line, "\"power\": 2", "\"power\": 1"), "does not divide its power"},
+      {with(line, "-1/3", "-1/2"), "does not divide the polynomial"},
+      {with(touch, "[\"-2\", 0, 0], [\"1\", 2, 0]", "[\"-3\", 0, 0], [\"1\", 2, 0]"), "change sign"},
+      {with(touch, "[\"4\", 0, 0]", "[\"5\", 0, 0]"), "does not reduce to zero"},
+      {with(touch, "[\"1\", \"3/2\"]", "[\"-2\", \"3/2\"]"), "not inside the cell"},
+      {with(touch, "[\"1\", 2, 0]]]", "[\"2\", 2, 0]]]"), "not monic"},
+      {with(touch, "[1, 0]", "[0, 1]"), "triangular"},
+      {with(touch, "[1, 0]", "[1, 1]"), "twice in the order"},
+      {with(touch, "[[\"1\", 0, 1]]", "[[\"2\", 0, 1]]"), "not monic"},
+      {with(system, "[\"1\", \"0\"], [\"0\", \"1\"]", "[\"1\", \"0\"], [\"2\", \"0\"]"), "singular"},
+      {with(system, "\"1/4\"", "\"3/4\""), "no change of sign"},
+      {with(system, "\"1/4\"", "\"1\""), "as many sides"},
+      {with(system, "seeew", "seeeh"), "h proves nothing of several polynomials"},
+  };
+  for (const auto& fault : faults) {
+    const std::string why = rejection(fault.text);
+    EXPECT_NE(why.find(fault.reason), std::string::npos) << "expected: " << fault.reason << "\nfound: " << why;
+  }
+}
+
+TEST(Checker, bounds_time_and_memory)
+{
+  // A dense polynomial of the highest degrees, split again and again.
+  std::string deep = with(hand_written_text("double_line"), "[\"1\", 0, 2]]", "[\"1\", 0, 2], [\"1\", 250, 250]]");
+  deep = with(deep, "swe", std::string(900, 's'));
+  const auto cut = deep.find("\"square_free\": [");
+  deep.replace(cut, deep.find("\"box\"") - cut, "\"square_free\": null, ");
+  EXPECT_NE(rejection(deep).find("budget"), std::string::npos);
+  // A long coordinate to a high power.
+  const std::string touch = hand_written_text("double_line");
+  std::string tall = with(touch, "[\"1\", 0, 2]]", "[\"1\", 0, 2], [\"1\", 1000, 0]]");
+  tall = with(tall, "\"square_free\": [{\"polynomial\": [[\"-1/3\", 0, 0], [\"1\", 0, 1]], \"power\": 2}]",
+              "\"square_free\": null");
+  tall = with(tall, "[[\"0\", \"1\"], ", "[[\"0\", \"" + std::string(90000, '7') + "\"], ");
+  EXPECT_NE(rejection(tall).find("budget"), std::string::npos);
+  EXPECT_NE(rejection(gzip(std::string((std::size_t{1} << 28) + 1, ' '))).find("longer than"), std::string::npos);
+  std::string many = "[";
+  for (int i = 0; i < 9000000; ++i) many += "0,";
+  EXPECT_NE(rejection(many + "0]").find("2^23 values"), std::string::npos);
+}
+
+TEST(Checker, rejects_damaged_gzip)
+{
+  const std::string packed = gzip(hand_written_text("minimal"));
+  EXPECT_EQ(rejection(packed), "");
+  for (std::size_t length = 0; length < packed.size(); ++length) EXPECT_NE(rejection(packed.substr(0, length)), "");
+  EXPECT_NE(rejection(packed + "x"), "");
+  EXPECT_NE(rejection(packed + packed), "");
+}
+
+TEST(Checker, shares_no_code_with_the_library)
+{
+  const std::set<std::string> own = {"\"bernstein.h\"", "\"certificate.h\"", "\"check.h\"",  "\"document.h\"",
+                                     "\"failure.h\"",   "\"polynomial.h\"",  "\"witness.h\""};
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(CORRAL_CHECKER_SOURCES)) {
+    const auto extension = entry.path().extension();
+    if (extension != ".h" && extension != ".cpp") continue;
+    ++files;
+    std::ifstream file(entry.path());
+    for (std::string line; std::getline(file, line);) {
+      if (!line.starts_with("#include")) continue;
+      const std::string what = line.substr(9);
+      EXPECT_EQ(what.find("corral/"), std::string::npos) << entry.path();
+      EXPECT_TRUE(what.front() == '<' || own.contains(what)) << entry.path() << ": " << line;
+    }
+  }
+  EXPECT_GE(files, 10U);
+}
+
+} // namespace
