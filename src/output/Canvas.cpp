@@ -109,8 +109,12 @@ void Canvas::end_finer()
 void Canvas::finish()
 {
   require_success(cairo_status(context()));
-  if (kind_ == Kind::png) require_success(cairo_surface_write_to_png_stream(surface_.get(), write_to_stream, &out_));
+  const cairo_status_t written = kind_ == Kind::png
+                                     ? cairo_surface_write_to_png_stream(surface_.get(), write_to_stream, &out_)
+                                     : CAIRO_STATUS_SUCCESS;
   cairo_surface_finish(surface_.get());
+  if (!out_) return;
+  require_success(written);
   require_success(cairo_surface_status(surface_.get()));
 }
 

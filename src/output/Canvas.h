@@ -45,7 +45,7 @@ public:
     end_finer();
   }
 
-  /// Writes the drawing. \throw Output_error if the stream or Cairo fails.
+  /// Writes the drawing; a failure of the stream shows in its state. \throw Output_error if Cairo fails.
   void finish();
 
 private:

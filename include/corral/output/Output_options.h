@@ -21,7 +21,7 @@ enum class Colouring : std::uint8_t {
 struct Output_options
 {
   /// A value of the run worth recording.
-  using Fact = std::variant<std::string, std::uint64_t, double, std::vector<std::string>>;
+  using Fact = std::variant<std::string, std::uint64_t, double, bool, std::vector<std::string>>;
 
   /// The names of the axes. Where too few are given: x, y, z, then x4, x5 and so on.
   std::vector<std::string> variables;

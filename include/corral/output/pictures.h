@@ -14,7 +14,7 @@ namespace corral {
 
 /// \brief A curve in a frame with ticks and axis names, as in Figures 3 to 14 of the paper; PNG.
 /// \pre `cells.finish()` has run.
-/// \throw Invalid_input if `options.size` is out of range; Output_error if the stream fails.
+/// \throw Invalid_input if `options.size` is out of range.
 /// \par Complexity  linear in the cells and the pixels; memory for the pixels.
 void draw_curve_png(std::ostream& out, const Grid<2>& grid, const Cell_set<2>& cells, const Output_options& options);
 
@@ -24,7 +24,7 @@ void draw_curve_svg(std::ostream& out, const Grid<2>& grid, const Cell_set<2>& c
 /// \brief Voxels as shaded cubes in a box with ticks and axis names, seen from the lower right in front and above, as
 /// in Figures 15 to 24 of the paper; PNG.
 /// \pre `cells.finish()` has run.
-/// \throw Invalid_input if `options.size` is out of range; Output_error if the stream fails.
+/// \throw Invalid_input if `options.size` is out of range.
 /// \par Complexity  n log n for n cells; memory for the cells and the pixels.
 void draw_voxels_png(std::ostream& out, const Grid<3>& grid, const Cell_set<3>& cells, const Output_options& options);
 

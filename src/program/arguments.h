@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CORRAL_PROGRAM_ARGUMENTS_H
+#define CORRAL_PROGRAM_ARGUMENTS_H
+
+#include <corral/errors.h>
+#include <corral/localization/Grid.h>
+#include <corral/polynomial/parse.h>
+
+#include <string>
+#include <type_traits>
+#include <vector>
+
+/// \file
+/// What all commands read alike: polynomials, boxes, resolutions.
+namespace corral::program {
+
+/// The greatest number of variables that the program is built for.
+inline constexpr std::size_t max_dimension = 4;
+
+/// The axes of a problem: a name and an interval each.
+struct Space
+{
+  std::vector<std::string> variables;
+  std::vector<Rational_interval> sides;
+};
+
+/// \brief The text of a polynomial: the argument itself, or the content of FILE for `@FILE` (`@-` is standard input).
+/// \throw Invalid_input if the file cannot be read or is larger than 64 MiB.
+[[nodiscard]] std::string polynomial_text(const std::string& argument);
+
+/// \brief Reads `LOWER:UPPER,...` and finds a name for each axis.
+///
+/// Without `variables` (names separated by commas) the axes are the variables of the polynomials in alphabetical order,
+/// with unused ones of x, y, z added where there are more sides.
+/// \throw Invalid_input if the texts do not fit together.
+[[nodiscard]] Space read_space(const std::string& box, const std::string& variables,
+                               const std::vector<std::string>& polynomials);
+
+/// \brief Reads `N` or `NX,NY,...`.
+/// \throw Invalid_input unless there are one or `dimension` numbers from 1 to the largest resolution.
+[[nodiscard]] std::vector<std::uint32_t> read_resolution(const std::string& text, std::size_t dimension);
+
+/// Calls `function(std::integral_constant<std::size_t, D>{})` for the dimension of the space.
+template <class Function>
+void with_dimension(const Space& space, const Function& function)
+{
+  switch (space.sides.size()) {
+  case 1:
+    return function(std::integral_constant<std::size_t, 1>{});
+  case 2:
+    return function(std::integral_constant<std::size_t, 2>{});
+  case 3:
+    return function(std::integral_constant<std::size_t, 3>{});
+  case 4:
+    return function(std::integral_constant<std::size_t, 4>{});
+  default:
+    throw Invalid_input("box: given " + std::to_string(space.sides.size()) + " sides; expected 1 to "
+                        + std::to_string(max_dimension));
+  }
+}
+
+/// The box of a space. \pre D is its dimension.
+template <std::size_t D>
+[[nodiscard]] Rational_box<D> box_of(const Space& space)
+{
+  Rational_box<D> box;
+  std::copy_n(space.sides.begin(), D, box.begin());
+  return box;
+}
+
+/// \brief The polynomials over the variables of a space. \pre D is its dimension.
+/// \throw Parse_error, Budget_exceeded as `parse_polynomial`.
+template <std::size_t D>
+[[nodiscard]] std::vector<Polynomial<Rational, D>> polynomials_of(const Space& space,
+                                                                  const std::vector<std::string>& texts)
+{
+  std::array<std::string, D> variables;
+  std::copy_n(space.variables.begin(), D, variables.begin());
+  std::vector<Polynomial<Rational, D>> result;
+  for (const std::string& text : texts) result.push_back(parse_polynomial<D>(text, variables));
+  return result;
+}
+
+} // namespace corral::program
+
+#endif

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CORRAL_PROGRAM_COMMANDS_H
+#define CORRAL_PROGRAM_COMMANDS_H
+
+#include <CLI/CLI.hpp>
+
+/// \file
+/// The commands of the program, one file each. Every function adds its command to the program; the work is done while
+/// the command line is parsed, and errors are thrown.
+namespace corral::program {
+
+void add_localize(CLI::App& app);
+void add_bound(CLI::App& app);
+void add_list(CLI::App& app);
+
+} // namespace corral::program
+
+#endif

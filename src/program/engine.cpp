@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "engine.h"
+
+#include <corral/localization/localize_fast.h>
+
+#include <chrono>
+
+namespace corral::program {
+
+namespace {
+
+template <std::size_t D>
+Localize_answer<D> fast(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+                        const Localize_settings& settings)
+{
+  if constexpr (D == 2 || D == 3) {
+    const Fast_options options{
+        .threads = settings.threads, .cell_budget = settings.max_cells, .progress = settings.progress};
+    auto found =
+        system.size() == 1 ? localize_fast<D>(system[0], grid, options) : localize_fast<D>(system, grid, options);
+    return {std::move(found.cells), {{"engine", "fast"}, {"guaranteed", true}, {"nodes", found.nodes}}};
+  } else
+    throw Invalid_input("engine fast: given " + std::to_string(D) + " dimensions; expected 2 or 3");
+}
+
+} // namespace
+
+template <std::size_t D>
+Localize_answer<D> localize_by_name(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+                                    const Localize_settings& settings)
+{
+  const auto start = std::chrono::steady_clock::now();
+  Localize_answer<D> answer = fast<D>(system, grid, settings);
+  answer.facts.emplace_back("seconds", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  return answer;
+}
+
+#define CORRAL_INSTANTIATE(D)                                                                                          \
+  template Localize_answer<D> localize_by_name<D>(const std::vector<Polynomial<Rational, D>>&, const Grid<D>&,         \
+                                                  const Localize_settings&);
+CORRAL_INSTANTIATE(1)
+CORRAL_INSTANTIATE(2)
+CORRAL_INSTANTIATE(3)
+CORRAL_INSTANTIATE(4)
+
+} // namespace corral::program

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "Progress.h"
+#include "arguments.h"
+#include "commands.h"
+#include "engine.h"
+
+#include <corral/output/all.h>
+
+#include <cerrno>
+#include <cstring>
+#include <iostream>
+
+namespace corral::program {
+
+namespace {
+
+struct Localize_arguments
+{
+  std::vector<std::string> polynomials;
+  std::string box;
+  std::string resolution;
+  std::string variables;
+  Localize_settings settings;
+  bool plus = false;
+  std::vector<std::string> outputs;
+  std::string format;
+  unsigned size = Output_options().size;
+  bool plain = false;
+};
+
+template <std::size_t D>
+void print(const std::string& format, const Grid<D>& grid, const Cell_set<D>& cells, const Output_options& options)
+{
+  errno = 0;
+  if (format == "csv")
+    write_csv(std::cout, grid, cells, options);
+  else if (format == "json")
+    write_json(std::cout, grid, cells, options);
+  else if (format == "text")
+    write_text(std::cout, grid, cells, options);
+  else
+    write_summary(std::cout, grid, cells, options);
+  if (!std::cout.flush())
+    throw Output_error(std::string("output: cannot write standard output: ") + std::strerror(errno != 0 ? errno : EIO));
+}
+
+template <std::size_t D>
+void localize_in(const Localize_arguments& arguments, const Space& space, const std::vector<std::string>& texts)
+{
+  for (const auto& path : arguments.outputs) static_cast<void>(writer_for<D>(path)); // fail before the work, not after
+  const auto system = polynomials_of<D>(space, texts);
+  for (std::size_t k = 0; k < system.size(); ++k)
+    if (system[k].is_zero())
+      throw Invalid_input("localize: polynomial " + std::to_string(k + 1) + " is zero, so that every point is a zero; "
+                          + "expected a polynomial that is not");
+  const auto counts = read_resolution(arguments.resolution, D);
+  Resolution<D> resolution;
+  std::copy_n(counts.begin(), D, resolution.begin());
+  const Grid<D> grid(box_of<D>(space), resolution);
+
+  Localize_settings settings = arguments.settings;
+  settings.refine = settings.refine || arguments.plus;
+  settings.sample = settings.sample || arguments.plus;
+  Localize_answer<D> answer;
+  {
+    Progress progress("localize");
+    settings.progress = [&](double done) { return progress(done); };
+    answer = localize_by_name<D>(system, grid, settings);
+  }
+  if (interrupted_by() != 0) throw Cancelled("localize");
+
+  Output_options options;
+  options.variables = space.variables;
+  options.facts = {{"polynomials", texts}};
+  options.facts.insert(options.facts.end(), answer.facts.begin(), answer.facts.end());
+  options.size = arguments.size;
+  options.colouring = arguments.plain ? Colouring::plotted : Colouring::by_verdict;
+  for (const auto& path : arguments.outputs) write_file(path, grid, answer.cells, options);
+  print(arguments.format, grid, answer.cells, options);
+}
+
+void localize_command(const Localize_arguments& arguments)
+{
+  std::vector<std::string> texts;
+  for (const auto& argument : arguments.polynomials) texts.push_back(polynomial_text(argument));
+  const Space space = read_space(arguments.box, arguments.variables, texts);
+  with_dimension(space, [&](auto dimension) { localize_in<dimension>(arguments, space, texts); });
+}
+
+} // namespace
+
+void add_localize(CLI::App& app)
+{
+  const auto arguments = std::make_shared<Localize_arguments>();
+  CLI::App* const command = app.add_subcommand("localize", "Find the cells that a curve or surface passes through");
+  command
+      ->add_option("POLY", arguments->polynomials,
+                   "polynomial, such as 'x^2 + y^2 - 1/4'; @FILE reads it from a file, @- from standard input.\n"
+                   "With several, cells where all may vanish together are found.")
+      ->required();
+  command->add_option("--box", arguments->box, "LOWER:UPPER for each axis, separated by commas, such as -1:1,0:3/2")
+      ->required();
+  command->add_option("--resolution", arguments->resolution, "number of cells along each axis: N or NX,NY[,NZ]")
+      ->required();
+  command->add_option("--variables", arguments->variables, "names of the axes in order (else alphabetical)");
+  Localize_settings& settings = arguments->settings;
+  command->add_option("--bounder", settings.method.bounder, "how ranges are bounded; see corral list")
+      ->capture_default_str();
+  command->add_option("--order", settings.method.order, "order of the recursive Taylor method")->capture_default_str();
+  command->add_option("--number", settings.method.number, "number type; see corral list")->capture_default_str();
+  command->add_option("--precision", settings.method.precision, "bits of number type mpfr")->capture_default_str();
+  command->add_option("--engine", settings.engine, "paper: the subdivision of the paper; fast: Taylor forms in doubles")
+      ->check(CLI::IsMember({"fast"}))
+      ->capture_default_str();
+  command->add_option("--threads", settings.threads, "threads of the fast engine; 0: one for each processor")
+      ->capture_default_str();
+  command->add_flag("--sample", settings.sample, "look for a change of sign at the corners of a cell");
+  command->add_flag("--refine", settings.refine, "cut each remaining cell once more before it is plotted");
+  command->add_flag("--plus", arguments->plus, "--sample and --refine: the paper's RT++ and MAA++");
+  command->add_option("--max-cells", settings.max_cells, "fail when more cells would be plotted")
+      ->capture_default_str();
+  command->add_option("--output", arguments->outputs, "file to write, of a kind told by its ending; may be repeated")
+      ->take_all()
+      ->expected(1);
+  command->add_option("--format", arguments->format, "what to print: csv, json, text, or summary (a line of JSON)")
+      ->check(CLI::IsMember({"csv", "json", "text", "summary"}));
+  command->add_option("--size", arguments->size, "longer side of pictures in pixels")->capture_default_str();
+  command->add_flag("--plain", arguments->plain, "pictures show hit and unknown cells alike, as in the paper");
+  command->footer(
+      "Verdicts: hit (proved: a zero in the cell) and unknown; all other cells are proved empty.\n"
+      "Examples:\n"
+      "  corral localize 'x^2 + y^2 - 1' --box -2:2,-2:2 --resolution 256 --plus --output circle.png\n"
+      "  corral localize 'x^2+y^2+z^2-4' '(x-1)^2+y^2-1' --box -2:2,-2:2,-2:2 --resolution 64 --output v.ply\n"
+      "  corral localize 'y - x^3' --box -1:1,-1:1 --resolution 40,20 --format text");
+  command->callback([arguments] { localize_command(*arguments); });
+}
+
+} // namespace corral::program

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <corral/errors.h>
+
+#include "Progress.h"
+#include "commands.h"
+
+#include <algorithm>
+#include <csignal>
+#include <iostream>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace corral::program {
+
+namespace {
+
+enum Exit : int { done = 0, failed = 1, bad_usage = 2 };
+
+// One line of printable characters, however strange or long the input that it quotes.
+std::string one_line(std::string text)
+{
+  constexpr std::size_t longest = 600;
+  if (text.size() > longest) text.replace(longest, std::string::npos, "...");
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+  return text;
+}
+
+int complain(const std::string& message, Exit code)
+{
+  std::cerr << "corral: " << one_line(message) << '\n';
+  return code;
+}
+
+// A polynomial or a number may begin with a minus sign. No option of ours has one dash and several letters, so such
+// an argument is an operand; the blank keeps CLI11 from reading it as options.
+std::vector<std::string> operands_marked(int argc, char** argv)
+{
+  std::vector<std::string> arguments;
+  for (int k = argc; k-- > 1;) {
+    const std::string argument = argv[k];
+    const bool is_operand = argument.size() > 1 && argument[0] == '-' && argument[1] != '-' && argument != "-h";
+    arguments.push_back((is_operand ? " " : "") + argument);
+  }
+  return arguments; // in reverse, as CLI11 wants them
+}
+
+int run(int argc, char** argv)
+{
+  CLI::App app("Finds the cells of a pixel or voxel grid through which an algebraic curve or surface passes,\n"
+               "and bounds polynomials over boxes. What it says of a cell is proved, rounding included.",
+               "corral");
+  app.footer("Examples:\n"
+             "  corral localize 'x^2 + y^2 - 1' --box -2:2,-2:2 --resolution 256 --plus --output circle.png\n"
+             "  corral localize 'x^2 + y^2 + z^2 - 1' --box -1:1,-1:1,-1:1 --resolution 32 --output ball.off\n"
+             "  corral list\n"
+             "Exit codes: 0 done, 1 failed, 2 bad usage.");
+  app.set_version_flag("--version", "corral " CORRAL_VERSION);
+  app.require_subcommand(1);
+  add_localize(app);
+  add_list(app);
+
+  if (argc == 1) {
+    std::cout << app.help();
+    return bad_usage;
+  }
+  const std::string command = argv[1];
+  const auto commands = app.get_subcommands(nullptr);
+  if (command[0] != '-' && std::none_of(commands.begin(), commands.end(), [&](const CLI::App* known) {
+        return known->get_name() == command;
+      })) {
+    std::string names;
+    for (const CLI::App* const known : commands) names += (names.empty() ? "" : ", ") + known->get_name();
+    return complain("command: given '" + command + "'; expected one of " + names, bad_usage);
+  }
+  try {
+    app.parse(operands_marked(argc, argv));
+    return done;
+  } catch (const CLI::Success& success) { // --help and --version
+    return app.exit(success);
+  } catch (const CLI::ParseError& error) {
+    return complain(std::string(error.what()) + "; see corral " + (command[0] == '-' ? "" : command + " ") + "--help",
+                    bad_usage);
+  } catch (const Invalid_input& error) {
+    return complain(error.what(), bad_usage);
+  } catch (const Cancelled&) {
+    complain("interrupted; nothing was written", failed);
+    return 128 + interrupted_by();
+  } catch (const std::bad_alloc&) {
+    return complain("out of memory", failed);
+  } catch (const std::exception& error) {
+    return complain(error.what(), failed);
+  }
+}
+
+} // namespace
+
+} // namespace corral::program
+
+int main(int argc, char** argv)
+{
+  corral::program::install_signal_handlers();
+  return corral::program::run(argc, argv);
+}

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+namespace {
+
+using namespace corral::test;
+using Words = std::vector<std::string>;
+
+// Runs the program in an empty folder and expects one line of complaint that holds `hint`, the exit code, nothing on
+// standard output and no file.
+void expect_refusal(const Words& arguments, int exit_code, const std::string& hint, Program_limits limits = {})
+{
+  const Temporary_folder folder;
+  limits.folder = folder.path();
+  limits.memory = std::size_t{2} << 30;
+  const Program_run run = run_program(arguments, limits);
+  std::string command;
+  for (const auto& argument : arguments) command += ' ' + argument.substr(0, 60);
+  EXPECT_EQ(run.exit_code, exit_code) << command;
+  EXPECT_EQ(run.err.rfind("corral: ", 0), 0U) << command << '\n' << run.err;
+  EXPECT_NE(run.err.find(hint), std::string::npos) << command << '\n' << run.err;
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << command << '\n' << run.err;
+  EXPECT_LT(run.err.size(), 700U);
+  EXPECT_EQ(run.out, "") << command;
+  EXPECT_EQ(folder.files(), Words{}) << command;
+}
+
+// localize with a good box, resolution and output, so that only the rest can be wrong.
+void expect_polynomial_refused(const std::string& polynomial, const std::string& hint)
+{
+  expect_refusal({"localize", polynomial, "--box", "0:1,0:1", "--resolution", "8", "--output", "a.csv"}, 2, hint);
+}
+
+void expect_box_refused(const std::string& box, const std::string& hint)
+{
+  expect_refusal({"localize", "x + y", "--box", box, "--resolution", "8", "--output", "a.csv"}, 2, hint);
+}
+
+void expect_resolution_refused(const std::string& resolution, const std::string& hint)
+{
+  expect_refusal({"localize", "x + y", "--box", "0:1,0:1", "--resolution", resolution, "--output", "a.csv"}, 2, hint);
+}
+
+TEST(Bad_input, polynomials)
+{
+  expect_polynomial_refused("(x", "this ( has no )");
+  expect_polynomial_refused("x)", "this ) has no (");
+  expect_polynomial_refused("2x", "implicit product");
+  expect_polynomial_refused("x y", "implicit product");
+  expect_polynomial_refused("1/0", "division by zero");
+  expect_polynomial_refused("x^-1", "exponent");
+  expect_polynomial_refused("x^1000000", "degree 1000000");
+  expect_polynomial_refused("x + \xc3\xa9", "ASCII");
+  expect_polynomial_refused("x + \x01\n", "ASCII");
+  expect_polynomial_refused("", "expected");
+  expect_polynomial_refused("x - x", "every point is a zero");
+  expect_polynomial_refused("0", "every point is a zero");
+  expect_polynomial_refused("x + y + z", "x, y, z");
+  expect_polynomial_refused("@missing.txt", "cannot read");
+  expect_refusal({"localize", "x + q", "--variables", "x,y", "--box", "0:1,0:1", "--resolution", "8"}, 2,
+                 "unknown variable");
+}
+
+TEST(Bad_input, boxes)
+{
+  expect_box_refused("", "LOWER:UPPER");
+  expect_box_refused("0:0,0:1", "expected lower < upper");
+  expect_box_refused("1:0,0:1", "LOWER <= UPPER");
+  expect_box_refused("0:inf,0:1", "finite");
+  expect_box_refused("nan:1,0:1", "finite");
+  expect_box_refused("0:1e999999999,0:1", "finite");
+  expect_box_refused("0:1", "x, y");
+  expect_box_refused("0:1,0:1,0:1,0:1,0:1", "expected 1 to 4");
+  expect_refusal({"localize", "x", "--variables", "x,y,z", "--box", "0:1,0:1", "--resolution", "8"}, 2,
+                 "expected 2 names");
+  expect_refusal({"localize", "x", "--variables", "x,x", "--box", "0:1,0:1", "--resolution", "8"}, 2, "twice");
+}
+
+TEST(Bad_input, resolutions)
+{
+  expect_resolution_refused("0", "'0'");
+  expect_resolution_refused("-5", "'-5'");
+  expect_resolution_refused("1099511627776", "1 to 1073741824");
+  expect_resolution_refused("99999999999999999999999999", "1 to 1073741824");
+  expect_resolution_refused("1.5", "whole number");
+  expect_resolution_refused("8,8,8", "expected 1 or 2");
+  expect_resolution_refused("", "whole number");
+}
+
+TEST(Bad_input, usage)
+{
+  expect_refusal({"locate"}, 2, "expected one of localize");
+  expect_refusal({"localize"}, 2, "--help");
+  expect_refusal({"localize", "x"}, 2, "--help");
+  expect_refusal({"localize", "x", "--box", "0:1", "--resolution", "8", "--colour"}, 2, "--colour");
+  expect_refusal({"localize", "x", "--box", "0:1,0:1", "--resolution", "8", "--format", "xml"}, 2,
+                 "csv,json,text,summary");
+}
+
+TEST(Bad_input, outputs)
+{
+  const Words good{"localize", "x - y", "--box", "0:1,0:1", "--resolution", "2000"};
+  const auto with = [&](Words more) {
+    more.insert(more.begin(), good.begin(), good.end());
+    return more;
+  };
+  expect_refusal(with({"--output", "a.gif"}), 2, ".png .svg");
+  expect_refusal(with({"--output", "a"}), 2, ".png .svg");
+  expect_refusal(with({"--output", "a.off"}), 2, ".png .svg"); // for surfaces only
+  expect_refusal(with({"--output", "nowhere/a.csv"}), 1, "No such file or directory");
+  expect_refusal(with({"--output", "/proc/a.csv"}), 1, "cannot write");
+  expect_refusal(with({"--output", "a.png", "--size", "1"}), 2, "expected 64 to 8192");
+  expect_refusal(with({"--max-cells", "100"}), 1, "100 cells");
+  for (const char* const name : {"a.csv", "a.json", "a.png", "a.svg"}) {
+    Program_limits full;
+    full.file_size = 1000;
+    expect_refusal(with({"--output", name}), 1, "File too large", full);
+  }
+}
+
+TEST(Bad_input, full_standard_output)
+{
+  Program_limits limits;
+  limits.out_file = "/dev/full";
+  for (const char* const format : {"csv", "json", "text", "summary"}) {
+    const Program_run run =
+        run_program({"localize", "x - y", "--box", "0:1,0:1", "--resolution", "100", "--format", format}, limits);
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_EQ(run.err, "corral: output: cannot write standard output: No space left on device\n");
+  }
+}
+
+TEST(Good_input, that_looks_bad)
+{
+  const Temporary_folder folder;
+  const auto write = [&](const char* name, const std::string& text) { std::ofstream(folder.path() / name) << text; };
+  write("nested.txt", std::string(100000, '(') + "x" + std::string(100000, ')') + " - y\n");
+  write("digits.txt", std::string(100000, '7') + "*x - " + std::string(100000, '7') + "*y");
+  Program_limits limits;
+  limits.folder = folder.path();
+  limits.memory = std::size_t{2} << 30;
+  // The verdicts may differ: floating point need not see that the corners are exact zeros.
+  const auto cells = [](std::string csv) {
+    for (const std::string verdict : {",hit", ",unknown"})
+      for (auto at = csv.find(verdict); at != std::string::npos; at = csv.find(verdict)) csv.erase(at, verdict.size());
+    return csv;
+  };
+  std::string diagonal;
+  for (const char* const polynomial : {"x - y", "@nested.txt", "@digits.txt", "-y + x", "-(y - x)"}) {
+    const Program_run run =
+        run_program({"localize", polynomial, "--box", "0:1,0:1", "--resolution", "8", "--format", "csv"}, limits);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+    if (diagonal.empty()) diagonal = cells(run.out);
+    EXPECT_EQ(cells(run.out), diagonal) << polynomial;
+  }
+  const Program_run constant =
+      run_program({"localize", "7", "--box", "0:1,-1:1", "--resolution", "8", "--format", "csv"});
+  EXPECT_EQ(constant.exit_code, 0);
+  EXPECT_EQ(constant.out, "i,j,verdict\n");
+}
+
+// Without it, a test of the tests above could pass because nothing runs at all.
+TEST(Bad_input, is_told_from_good_input)
+{
+  const Program_run run = run_program({"localize", "x - y", "--box", "0:1,0:1", "--resolution", "8"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.err, "");
+  EXPECT_NE(run.out, "");
+}
+
+} // namespace
