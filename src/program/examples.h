@@ -10,8 +10,8 @@ namespace corral::program {
 
 /// \brief An example of the paper.
 ///
-/// The curves (1 to 10) lie in [0,1]^2 and are drawn on 256^2 pixels, the surfaces (11 to 20) in [-1,1]^3 on 32^3 voxels.
-/// \par Reference  Shou, Martin, Wang, Bowyer, Voiculescu, "A Recursive Taylor Method for Algebraic Curves and
+/// The curves (1 to 10) lie in [0,1]^2 and are drawn on 256^2 pixels, the surfaces (11 to 20) in [-1,1]^3 on 32^3
+/// voxels. \par Reference  Shou, Martin, Wang, Bowyer, Voiculescu, "A Recursive Taylor Method for Algebraic Curves and
 ///      Surfaces", 2005, section 5.
 struct Example
 {

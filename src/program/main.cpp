@@ -59,6 +59,7 @@ int run(int argc, char** argv)
   app.set_version_flag("--version", "corral " CORRAL_VERSION);
   app.require_subcommand(1);
   add_localize(app);
+  add_reproduce(app);
   add_list(app);
 
   if (argc == 1) {
