@@ -307,7 +307,7 @@ struct Outcome
   std::size_t rejected = 0;
   std::size_t same = 0;  ///< accepted, the content is the same
   std::size_t valid = 0; ///< accepted, the content is another but its claims are true
-  std::vector<std::string> false_acceptances;
+  std::string false_acceptance;
 };
 
 /// Judges one changed text. Anything but `Rejected` that the checker throws fails the test.
@@ -330,7 +330,7 @@ void judge(const std::string& text, const std::string& original, const Claims& k
   if (claims && are_true(*claims, known))
     ++outcome.valid;
   else
-    outcome.false_acceptances.push_back(text);
+    outcome.false_acceptance = text;
 }
 
 std::vector<std::string> originals()
@@ -356,15 +356,14 @@ TEST(Mutations, are_rejected_when_they_alter_a_claim)
     const auto known = read_claims(original);
     ASSERT_TRUE(known) << original;
     ASSERT_NO_THROW((void)corral_check::check(original)) << original;
-    for (std::size_t round = 0; round < rounds(); ++round) judge(mutator.mutate(original), original, *known, outcome);
+    for (std::size_t round = 0; round < rounds(); ++round) {
+      judge(mutator.mutate(original), original, *known, outcome);
+      ASSERT_EQ(outcome.false_acceptance, "") << "accepted a false claim";
+    }
   }
   std::cout << outcome.tried << " changed files: " << outcome.rejected << " rejected, " << outcome.same
             << " accepted with the same content, " << outcome.valid << " accepted with other true claims\n";
-  for (const std::string& text : outcome.false_acceptances) {
-    ADD_FAILURE() << "accepted a false claim: " << text;
-    if (&text == &outcome.false_acceptances[4]) break;
-  }
-  EXPECT_GE(outcome.tried, 10000U);
+  EXPECT_TRUE(outcome.tried >= 10000 || std::getenv("CORRAL_TEST_MULTIPLIER") != nullptr);
   EXPECT_GE(outcome.rejected, outcome.tried / 2);
 }
 
