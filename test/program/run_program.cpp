@@ -2,6 +2,7 @@
 #include "run_program.h"
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
 #include <fstream>
@@ -9,6 +10,7 @@
 #include <stdexcept>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 namespace corral::test {
@@ -51,6 +53,10 @@ Program_run run_program(const std::vector<std::string>& arguments, const Program
   const pid_t child = ::fork();
   if (child < 0) throw std::runtime_error("cannot fork");
   if (child == 0) become_program(arguments, limits, out, err);
+  if (limits.interrupt_after.count() != 0) {
+    std::this_thread::sleep_for(limits.interrupt_after);
+    ::kill(child, SIGINT);
+  }
   int status = 0;
   ::waitpid(child, &status, 0);
   Program_run run;

@@ -2,6 +2,7 @@
 #ifndef CORRAL_TEST_PROGRAM_RUN_PROGRAM_H
 #define CORRAL_TEST_PROGRAM_RUN_PROGRAM_H
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -18,11 +19,12 @@ struct Program_run
 
 struct Program_limits
 {
-  unsigned seconds = 60;          ///< of processor time
-  std::size_t memory = 0;         ///< bytes of address space; 0: no limit
-  std::size_t file_size = 0;      ///< bytes of any file written; 0: no limit
-  std::string out_file;           ///< standard output goes there, if not empty
-  std::filesystem::path folder{}; ///< where it runs
+  unsigned seconds = 60;                        ///< of processor time
+  std::size_t memory = 0;                       ///< bytes of address space; 0: no limit
+  std::size_t file_size = 0;                    ///< bytes of any file written; 0: no limit
+  std::string out_file;                         ///< standard output goes there, if not empty
+  std::filesystem::path folder{};               ///< where it runs
+  std::chrono::milliseconds interrupt_after{0}; ///< then comes a Ctrl-C; 0: never
 };
 
 /// Runs the program and waits for its end.

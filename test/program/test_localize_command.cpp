@@ -86,9 +86,23 @@ TEST(Localize_command, writes_every_kind_of_file)
   EXPECT_EQ(content(folder.path() / "c.csv"), run_program(circle({"--format", "csv"})).out);
 }
 
+TEST(Localize_command, stops_on_an_interrupt_without_a_file)
+{
+  const Temporary_folder folder;
+  Program_limits limits;
+  limits.folder = folder.path();
+  limits.interrupt_after = std::chrono::milliseconds(300);
+  const Program_run run = run_program({"localize", "x*y - 1/3", "--box", "0:1,0:1", "--resolution", "1000000000",
+                                       "--max-cells", "4000000000", "--output", "a.csv"},
+                                      limits);
+  EXPECT_EQ(run.exit_code, 130);
+  EXPECT_EQ(run.err, "corral: interrupted; nothing was written\n");
+  EXPECT_EQ(folder.files(), Words{});
+}
+
 TEST(Help, is_everywhere)
 {
-  for (const Words& words : {Words{"--help"}, {"localize", "--help"}, {"list", "--help"}}) {
+  for (const Words& words : {Words{"--help"}, {"localize", "--help"}, {"reproduce", "--help"}, {"list", "--help"}}) {
     const Program_run run = run_program(words);
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_EQ(run.err, "");

@@ -54,7 +54,8 @@ template <std::size_t D>
   std::string known;
   for (const auto& writer : writers<D>()) {
     if (path.extension() == writer.ending) return writer;
-    known += (known.empty() ? "" : " ") + std::string(writer.ending);
+    if (!known.empty()) known += ' ';
+    known += writer.ending;
   }
   throw Invalid_input("output: '" + path.string() + "' has no known ending for " + std::to_string(D)
                       + (D == 1 ? " dimension" : " dimensions") + "; expected one of " + known);
