@@ -18,7 +18,7 @@ Localize_answer<D> fast(const std::vector<Polynomial<Rational, D>>& system, cons
         .threads = settings.threads, .cell_budget = settings.max_cells, .progress = settings.progress};
     auto found =
         system.size() == 1 ? localize_fast<D>(system[0], grid, options) : localize_fast<D>(system, grid, options);
-    return {std::move(found.cells), {{"engine", "fast"}, {"guaranteed", true}, {"nodes", found.nodes}}};
+    return {std::move(found.cells), {.bounds = found.nodes}, true};
   } else
     throw Invalid_input("engine fast: given " + std::to_string(D) + " dimensions; expected 2 or 3");
 }
@@ -29,9 +29,10 @@ template <std::size_t D>
 Localize_answer<D> localize_by_name(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
                                     const Localize_settings& settings)
 {
+  if (settings.engine != "fast") throw Invalid_input("engine: given '" + settings.engine + "'; expected fast");
   const auto start = std::chrono::steady_clock::now();
   Localize_answer<D> answer = fast<D>(system, grid, settings);
-  answer.facts.emplace_back("seconds", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  answer.work.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return answer;
 }
 

@@ -33,19 +33,29 @@ struct Localize_settings
   std::string engine = "fast";
   bool refine = false;
   bool sample = false;
+  bool count = false; ///< additions and multiplications
   unsigned threads = 1;
   std::uint64_t max_cells = 50'000'000;
   std::function<bool(double)> progress;
 };
 
-using Facts = std::vector<std::pair<std::string, Output_options::Fact>>;
+/// What a run cost.
+struct Work
+{
+  std::uint64_t bounds = 0;
+  std::uint64_t subdivisions = 0;
+  std::uint64_t additions = 0;       ///< 0 where they are not counted
+  std::uint64_t multiplications = 0; ///< as well
+  double seconds = 0;                ///< of the computation alone
+};
 
 /// The cells, and what to say of the run.
 template <std::size_t D>
 struct Localize_answer
 {
   Cell_set<D> cells;
-  Facts facts;
+  Work work;
+  bool is_guaranteed = false;
 };
 
 /// \throw Invalid_input for unknown names; what the localisation throws.

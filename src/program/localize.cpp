@@ -44,6 +44,28 @@ void print(const std::string& format, const Grid<D>& grid, const Cell_set<D>& ce
     throw Output_error(std::string("output: cannot write standard output: ") + std::strerror(errno != 0 ? errno : EIO));
 }
 
+// What the summary says of a run.
+std::vector<std::pair<std::string, Output_options::Fact>> facts(const std::vector<std::string>& polynomials,
+                                                                const Localize_settings& settings, const Work& work,
+                                                                bool is_guaranteed)
+{
+  std::vector<std::pair<std::string, Output_options::Fact>> list{{"polynomials", polynomials},
+                                                                 {"engine", settings.engine}};
+  if (settings.engine == "paper") {
+    list.insert(list.end(), {{"bounder", settings.method.bounder},
+                             {"order", std::uint64_t{settings.method.order}},
+                             {"number", settings.method.number},
+                             {"sample", settings.sample},
+                             {"refine", settings.refine}});
+  }
+  list.insert(list.end(), {{"guaranteed", is_guaranteed}, {"bounds", work.bounds}});
+  if (settings.engine == "paper") list.emplace_back("subdivisions", work.subdivisions);
+  if (settings.count)
+    list.insert(list.end(), {{"additions", work.additions}, {"multiplications", work.multiplications}});
+  list.emplace_back("seconds", work.seconds);
+  return list;
+}
+
 template <std::size_t D>
 void localize_in(const Localize_arguments& arguments, const Space& space, const std::vector<std::string>& texts)
 {
@@ -71,8 +93,7 @@ void localize_in(const Localize_arguments& arguments, const Space& space, const 
 
   Output_options options;
   options.variables = space.variables;
-  options.facts = {{"polynomials", texts}};
-  options.facts.insert(options.facts.end(), answer.facts.begin(), answer.facts.end());
+  options.facts = facts(texts, settings, answer.work, answer.is_guaranteed);
   options.size = arguments.size;
   options.colouring = arguments.plain ? Colouring::plotted : Colouring::by_verdict;
   for (const auto& path : arguments.outputs) write_file(path, grid, answer.cells, options);

@@ -2,8 +2,15 @@
 #include "Progress.h"
 #include "commands.h"
 #include "gallery.h"
+#include "tables.h"
 
+#include <corral/output/Output_file.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 #include <iostream>
+#include <sstream>
 
 namespace corral::program {
 
@@ -12,16 +19,47 @@ namespace {
 struct Reproduce_arguments
 {
   std::string what;
-  std::string number = "cgal_interval";
-  std::string output = "gallery";
+  std::string number;
+  std::string output;
+  std::string format = "text";
 };
+
+// Computes first and prints then: a table is printed whole or not at all.
+void reproduce_table(const Paper_table& table, const Reproduce_arguments& arguments)
+{
+  std::ostringstream text;
+  {
+    Progress progress{std::string(table.name)};
+    Table_options options;
+    if (!arguments.number.empty()) options.number = arguments.number;
+    options.csv = arguments.format == "csv";
+    options.progress = [&](double done) { return progress(done); };
+    print_table(text, table, options);
+  }
+  errno = 0;
+  if (!(std::cout << text.str() << (arguments.format == "text" ? "\n" : "")).flush())
+    throw Output_error(std::string("output: cannot write standard output: ") + std::strerror(errno != 0 ? errno : EIO));
+  if (arguments.output.empty()) return;
+  std::filesystem::create_directories(arguments.output);
+  write_whole_file(std::filesystem::path(arguments.output)
+                       / (std::string(table.name) + (arguments.format == "csv" ? ".csv" : ".txt")),
+                   [&](std::ostream& out) { out << text.str(); });
+}
+
+void reproduce_figures(const Reproduce_arguments& arguments)
+{
+  draw_gallery(arguments.output.empty() ? "gallery" : arguments.output,
+               arguments.number.empty() ? "cgal_interval" : arguments.number, [](const std::string& line) {
+                 std::cout << line << std::endl;
+                 return interrupted_by() == 0;
+               });
+}
 
 void reproduce_command(const Reproduce_arguments& arguments)
 {
-  draw_gallery(arguments.output, arguments.number, [](const std::string& line) {
-    std::cout << line << std::endl;
-    return interrupted_by() == 0;
-  });
+  for (const Paper_table& table : paper_tables())
+    if (arguments.what == table.name || arguments.what == "all") reproduce_table(table, arguments);
+  if (arguments.what == "figures" || arguments.what == "all") reproduce_figures(arguments);
 }
 
 } // namespace
@@ -29,11 +67,16 @@ void reproduce_command(const Reproduce_arguments& arguments)
 void add_reproduce(CLI::App& app)
 {
   const auto arguments = std::make_shared<Reproduce_arguments>();
-  CLI::App* const command = app.add_subcommand("reproduce", "Recompute the figures of the paper");
+  CLI::App* const command = app.add_subcommand("reproduce", "Recompute the tables and figures of the paper");
   command->add_option("WHAT", arguments->what, "what to recompute")->required()->check(CLI::IsMember({"figures"}));
-  command->add_option("--number", arguments->number, "number type; see corral list")->capture_default_str();
-  command->add_option("--output", arguments->output, "folder of the figures")->capture_default_str();
-  command->footer("Examples:\n"
+  command->add_option("--number", arguments->number,
+                      "number type; see corral list (else double_nearest for tables, as in the paper, and\n"
+                      "cgal_interval for figures)");
+  command->add_option("--output", arguments->output, "folder for copies of the tables and for the figures (gallery)");
+  command->add_option("--format", arguments->format, "of tables: text or csv")
+      ->check(CLI::IsMember({"text", "csv"}))
+      ->capture_default_str();
+  command->footer("Nothing is needed but what is built in. Examples:\n"
                   "  corral reproduce figures --output gallery");
   command->callback([arguments] { reproduce_command(*arguments); });
 }

@@ -92,7 +92,7 @@ TEST(Localize_command, stops_on_an_interrupt_without_a_file)
   Program_limits limits;
   limits.folder = folder.path();
   limits.interrupt_after = std::chrono::milliseconds(300);
-  const Program_run run = run_program({"localize", "x*y - 1/3", "--box", "0:1,0:1", "--resolution", "1000000000",
+  const Program_run run = run_program({"localize", "x*y - 1/3", "--box", "0:1,0:1", "--resolution", "100000000",
                                        "--max-cells", "4000000000", "--output", "a.csv"},
                                       limits);
   EXPECT_EQ(run.exit_code, 130);
