@@ -45,10 +45,16 @@ Plan<D>::Plan(const Polynomial<Rational, D>& f, const Grid<D>& grid)
 {
   halves.resize(shape.degree() + std::size_t{1});
   for (std::size_t d = 0; d < halves.size(); ++d) halves[d] = std::ldexp(1.0, -static_cast<int>(d));
+  for (unsigned level = 0; level <= root_level; ++level)
+    drop_share.push_back(std::ldexp(1.0, -13 - static_cast<int>(level))); // 2^-13 of the change over one cell
   const int degree = static_cast<int>(shape.degree());
-  for (int depth = 0; depth <= static_cast<int>(root_level) + cell_depth; ++depth)
+  for (int depth = 0; depth <= static_cast<int>(root_level); ++depth)
     exact_below.push_back(std::ldexp(root.quantum, 52 - depth * degree));
-  exact_evaluation = std::ldexp(1.0, -degree * std::max(0, std::countr_zero(block_side<D>) - 1));
+  const int corner_bits = std::countr_zero(block_side<D>) - 1; // coordinates of corners are multiples of 2^-corner_bits
+  const int probe_bits = corner_bits + 1 + std::countr_zero(probe_pieces);
+  const double leaf_limit = exact_below[root_level - leaf_level];
+  exact_corner = std::ldexp(leaf_limit, -degree * corner_bits);
+  exact_probe = std::ldexp(leaf_limit, -degree * probe_bits);
   for (std::size_t axis = 0; axis < D; ++axis) {
     linear[axis] = shape.pure_power(axis, 1);
     square[axis] = shape.pure_power(axis, 2);
@@ -60,6 +66,12 @@ Plan<D>::Plan(const Polynomial<Rational, D>& f, const Grid<D>& grid)
       lattice[axis][line] = std::min(1.0, -1.0 + 2.0 * static_cast<double>(line) / leaf_cells[axis]);
     sag[axis] = 0.5 / (leaf_cells[axis] * leaf_cells[axis]);
   }
+  constexpr std::size_t corners = block_side<D> + 1;
+  for (std::size_t row = 0; row < padded_rows; ++row) {
+    std::size_t rest = row;
+    for (std::size_t axis = D; axis-- > 1; rest /= corners)
+      row_coordinate[axis - 1][row] = lattice[axis][rest % corners];
+  }
 }
 
 template <std::size_t D>
@@ -69,7 +81,7 @@ Seed<D> root_seed(const Plan<D>& plan)
   double norm = 0;
   for (const double c : plan.root.coefficients) norm += std::abs(c);
   seed.rows = {plan.rounding.keep_dropped ? plan.root.remainder : 0, norm * plan.rounding.sum};
-  seed.rows.resize(3 + D, 0.0); // the corner is the origin
+  seed.rows.resize(2 + D, 0.0); // the corner is the origin
   seed.rows.insert(seed.rows.end(), plan.root.coefficients.begin(), plan.root.coefficients.end());
   return seed;
 }

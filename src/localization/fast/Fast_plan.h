@@ -29,9 +29,6 @@ struct Rounding
   bool keep_dropped = true; ///< whether dropped terms and the remainder of the root count
 };
 
-/// How many levels below the cells the engine looks for the sign of f inside a cell that it cannot decide.
-inline constexpr int cell_depth = 1;
-
 /// The constants that make every verdict a proof, for a shape of this degree.
 [[nodiscard]] Rounding proved_rounding(std::size_t dimension, unsigned degree);
 
@@ -47,6 +44,11 @@ struct Plan
     double curve; ///< e (e - 1)
   };
 
+  /// Corners of a leaf block along all axes but the first, with padding.
+  static constexpr std::size_t padded_rows = D == 2 ? 16 : 32;
+  /// An undecided cell is looked at on lattices of 2, 4, ... up to this number of pieces a side.
+  static constexpr unsigned probe_pieces = D == 2 ? 4 : 2;
+
   Plan(const Polynomial<Rational, D>& f, const Grid<D>& grid);
 
   Monomial_shape<D> shape;
@@ -59,13 +61,16 @@ struct Plan
   Rounding rounding;
   Root_form root;
   std::vector<double> halves;      ///< halves[d] = 2^-d
+  std::vector<double> drop_share;                  ///< by level: what terms may be dropped, relative to the gradient
   std::vector<double> exact_below; ///< by tree depth: forms of at most this norm are split into that depth exactly
-  double exact_evaluation;         ///< times exact_below: forms of at most this norm are evaluated exactly in a block
+  double exact_corner; ///< leaf forms of at most this norm are evaluated exactly at the corners of the cells
+  double exact_probe;  ///< the same for the points of the finest lattice in a cell
   std::array<std::vector<Weight>, D> weights;      ///< by position, without 1 and x_axis
   std::array<std::size_t, D> linear;               ///< position of x_axis
   std::array<std::size_t, D> square;               ///< position of x_axis^2
   std::array<std::uint32_t, D> leaf_cells;         ///< cells of a leaf block along each axis
   std::array<std::array<double, 16>, D> lattice{}; ///< coordinates of the grid lines of a leaf block
+  std::array<std::array<double, padded_rows>, D - 1> row_coordinate; ///< the same of each row, axes 1 to D-1
   std::array<double, D> sag; ///< 1 / (2 leaf_cells^2): how far a unit second derivative bends away from a chord
 };
 

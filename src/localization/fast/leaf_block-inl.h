@@ -8,210 +8,259 @@
 #endif
 
 #include "Fast_plan.h"
-#include "taylor_shift-inl.h"
+#include "octet-inl.h"
 
-#include <hwy/highway.h>
+#include <bit>
 
 HWY_BEFORE_NAMESPACE();
 namespace corral::fast::HWY_NAMESPACE {
 
-/// What a value at a corner must exceed, in absolute value, to prove something.
+/// What a computed value must reach, in absolute value, to prove something.
 struct Thresholds
 {
-  double sign;     ///< if the computed value reaches it, f is not negative there
+  double sign;     ///< the sign of f at a corner
   double positive; ///< if all corners of a cell exceed it, f is positive on the cell
   double negative; ///< if all corners of a cell are below its negation, f is negative on the cell
+  double probe;    ///< the sign of f at a point of the finer lattice in a cell
 };
 
-/// What is known of the cells of a block.
+/// Verdicts on the cells of a block: empty, hit, or neither.
 struct Leaf_masks
 {
   std::uint64_t empty = 0;
-  std::uint64_t some_positive = 0; ///< f >= 0 somewhere in the cell
-  std::uint64_t some_negative = 0; ///< f <= 0 somewhere in the cell
+  std::uint64_t hit = 0;
 };
 
-HWY_INLINE unsigned bits_of(Tag tag, hn::Mask<Tag> mask)
-{
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(tag, mask, bits);
-  return bits[0];
-}
-
-/// The four facts about corners, one bit a corner, in any layout `Bits` of corners.
-template <class Bits>
-struct Corner_signs
-{
-  Bits positive{}, negative{}, surely_positive{}, surely_negative{};
-
-  /// Calls `add(bits of this set, bits of the chunk)` for each of the sets.
-  template <class Add>
-  HWY_INLINE void record(Tag tag, Vector value, const Thresholds& t, const Add& add)
-  {
-    add(positive, bits_of(tag, hn::Ge(value, hn::Set(tag, t.sign))));
-    add(negative, bits_of(tag, hn::Le(value, hn::Set(tag, -t.sign))));
-    add(surely_positive, bits_of(tag, hn::Gt(value, hn::Set(tag, t.positive))));
-    add(surely_negative, bits_of(tag, hn::Lt(value, hn::Set(tag, -t.negative))));
-  }
-  template <class Add>
-  void record_one(double value, const Thresholds& t, const Add& add)
-  {
-    add(positive, value >= t.sign ? 1U : 0U);
-    add(negative, value <= -t.sign ? 1U : 0U);
-    add(surely_positive, value > t.positive ? 1U : 0U);
-    add(surely_negative, value < -t.negative ? 1U : 0U);
-  }
-};
-
-/// The 9 x 9 corners of a block of 8 x 8 cells: 8 x 8 of them, the last of axis 0, of axis 1, and of both.
-struct Corners_2
-{
-  std::uint64_t inner = 0;
-  unsigned last_0 = 0;
-  unsigned last_1 = 0;
-  unsigned both = 0;
-
-  /// One bit a cell: whether all (any) of its four corners are in the set.
-  template <class Combine>
-  [[nodiscard]] std::uint64_t cells(const Combine& combine) const
-  {
-    constexpr std::uint64_t low_seven = 0x7f7f7f7f7f7f7f7fU;
-    // bit k of last_1 becomes the highest bit of byte k; seven bits a multiplication, so that no carry spoils it
-    const std::uint64_t seven = (last_1 & 0x7fU) * std::uint64_t{0x0002040810204081U} & 0x0101010101010101U;
-    const std::uint64_t spread = (seven | std::uint64_t{last_1 >> 7} << 56) << 7;
-    const std::uint64_t along_1 = combine(inner, (inner >> 1 & low_seven) | spread);
-    const std::uint64_t top = combine(std::uint64_t{last_0}, std::uint64_t{last_0 >> 1 | both << 7});
-    return combine(along_1, along_1 >> 8 | top << 56);
-  }
-};
-
-/// The 5 x 5 x 5 corners of a block of 4 x 4 x 4 cells: a plane of 25 for each corner of axis 0.
-struct Corners_3
-{
-  std::uint32_t plane[5] = {};
-
-  template <class Combine>
-  [[nodiscard]] std::uint64_t cells(const Combine& combine) const
-  {
-    std::uint64_t result = 0;
-    for (unsigned slab = 0; slab < 4; ++slab) {
-      const std::uint32_t a = combine(plane[slab], plane[slab + 1]);
-      const std::uint32_t b = combine(a, a >> 1);
-      const std::uint32_t c = combine(b, b >> 5);
-      const std::uint64_t rows = (c & 0xfU) | (c >> 1 & 0xf0U) | (c >> 2 & 0xf00U) | (c >> 3 & 0xf000U);
-      result |= rows << (16 * slab);
-    }
-    return result;
-  }
-};
-
-template <class Bits>
-Leaf_masks decide_cells(const Corner_signs<Bits>& signs)
-{
-  const auto all = [](auto a, auto b) { return a & b; };
-  const auto any = [](auto a, auto b) { return a | b; };
-  return {signs.surely_positive.cells(all) | signs.surely_negative.cells(all), signs.positive.cells(any),
-          signs.negative.cells(any)};
-}
-
-/// \brief Evaluates one lane of a batch of forms at the corners of its block.
+/// \brief One lane of a batch of forms, evaluated at the corners of the cells of its block.
+///
+/// Lanes run along axis 0. The corners along the other axes are the *rows*: 9 of them in the plane, 25 in space; facts
+/// about corners are collected in one word a lane with one bit a row.
 template <std::size_t D>
 class Leaf_block
 {
 public:
-  Leaf_block(const Plan<D>& plan, const typename Monomial_shape<D>::Class& cut, const double* coefficients)
-      : plan_(plan), lines_(cut.lines[D - 1]), slab_(cut.slab), c_(coefficients)
+  static constexpr std::size_t side = block_side<D>;
+  static constexpr std::size_t rows = D == 2 ? 9 : 25;
+  static constexpr std::size_t padded_rows = Plan<D>::padded_rows;
+
+  /// \param workspace  `padded_rows` doubles for each power of axis 0.
+  Leaf_block(const Plan<D>& plan, const typename Monomial_shape<D>::Class& cut, const double* coefficients,
+             const Thresholds& thresholds, double* workspace)
+      : plan_(plan), lines_(cut.lines[D - 1]), slab_(cut.slab), c_(coefficients), t_(thresholds), powers_(workspace)
   {}
 
-  /// \pre `powers` holds 8 doubles for each power of axis 0.
-  [[nodiscard]] Leaf_masks decide(const Thresholds& thresholds, double* powers) const;
+  /// The verdicts that the corners of the cells give.
+  [[nodiscard]] Leaf_masks decide() const;
+
+  /// Looks at a finer lattice in each cell of `unknown` and adds what it shows to `masks`.
+  void probe(std::uint64_t unknown, Leaf_masks& masks) const;
 
 private:
-  [[nodiscard]] Vector set(double value) const { return hn::Set(Tag(), value); }
+  /// Facts about corners; `last` is the word of the last corner of axis 0 in the plane.
+  struct Facts
+  {
+    Bits words;
+    std::uint64_t last = 0;
+  };
+  struct Corner_facts
+  {
+    Facts not_negative, not_positive, positive, negative;
+  };
 
-  /// The value of one line at z, by Horner's rule.
-  [[nodiscard]] HWY_INLINE Vector along(std::size_t line, Vector z) const
+  /// Coefficient of x_0^power as a function of the other coordinates, by Horner's rule.
+  [[nodiscard]] HWY_INLINE Octet power(std::size_t i, const std::array<Octet, D - 1>& at) const
+  {
+    std::size_t line = slab_[i + 1] - std::size_t{1};
+    Octet value = along(line, at[D - 2]);
+    if constexpr (D == 3)
+      while (line-- > slab_[i]) value = value * at[0] + along(line, at[1]);
+    return value;
+  }
+  [[nodiscard]] HWY_INLINE Octet along(std::size_t line, const Octet& x) const
   {
     const auto& l = lines_.lines[line];
     const std::uint32_t* const index = lines_.index.data() + l.first;
-    Vector value = set(c_[index[l.degree] * batch]);
-    for (std::uint32_t k = l.degree; k-- > 0;) value = hn::Add(hn::Mul(value, z), set(c_[index[k] * batch]));
+    Octet value = set(c_[index[l.degree] * batch]);
+    for (std::uint32_t k = l.degree; k-- > 0;) value = value * x + set(c_[index[k] * batch]);
     return value;
   }
-  [[nodiscard]] double along(std::size_t line, double z) const
-  {
-    const auto& l = lines_.lines[line];
-    const std::uint32_t* const index = lines_.index.data() + l.first;
-    double value = c_[index[l.degree] * batch];
-    for (std::uint32_t k = l.degree; k-- > 0;) value = value * z + c_[index[k] * batch];
-    return value;
-  }
-  [[nodiscard]] static HWY_INLINE Vector horner(const double* powers, std::size_t degree, Vector x)
-  {
-    Vector value = hn::Load(Tag(), powers + degree * batch);
-    for (std::size_t i = degree; i-- > 0;) value = hn::Add(hn::Mul(value, x), hn::Load(Tag(), powers + i * batch));
-    return value;
-  }
+  template <bool bent, std::size_t degree>
+  [[nodiscard]] Corner_facts look() const;
+  template <bool bent>
+  [[nodiscard]] HWY_INLINE Corner_facts look_by_degree(std::size_t degree) const;
+  template <class Combine>
+  [[nodiscard]] static HWY_INLINE Bits cells(const Facts& facts, const Combine& combine);
+  [[nodiscard]] static HWY_INLINE std::uint64_t mask(const Bits& cells);
+  [[nodiscard]] unsigned probe_cells(const std::array<Octet, D>& centre, unsigned lanes, unsigned pieces,
+                                     unsigned& hit) const;
 
   const Plan<D>& plan_;
   const typename Monomial_shape<D>::Lines& lines_;
   const std::vector<std::uint32_t>& slab_;
   const double* c_;
+  const Thresholds& t_;
+  double* powers_;
 };
 
-template <>
-inline Leaf_masks Leaf_block<2>::decide(const Thresholds& t, double* powers) const
+/// \tparam bent    whether the thresholds of a cell differ from that of a corner.
+/// \tparam degree  that of axis 0, or 0 if it is only known at run time.
+template <std::size_t D>
+template <bool bent, std::size_t degree>
+auto Leaf_block<D>::look() const -> Corner_facts
 {
-  const Tag tag;
-  const std::size_t degree = slab_.size() - 2;
-  const auto& x = plan_.lattice[0];
-  const auto& y = plan_.lattice[1];
-  Corner_signs<Corners_2> signs;
-  for (std::size_t first = 0; first < batch; first += hn::Lanes(tag)) {
-    const Vector ys = hn::LoadU(tag, y.data() + first);
-    for (std::size_t i = 0; i <= degree; ++i) hn::Store(along(i, ys), tag, powers + i * batch);
-    for (std::size_t row = 0; row < 8; ++row)
-      signs.record(tag, horner(powers, degree, set(x[row])), t,
-                   [&](Corners_2& to, std::uint64_t bits) { to.inner |= bits << (8 * row + first); });
-    signs.record(tag, horner(powers, degree, set(x[8])), t,
-                 [&](Corners_2& to, unsigned bits) { to.last_0 |= bits << first; });
+  const std::size_t top = degree == 0 ? slab_.size() - 2 : degree;
+  for (std::size_t first = 0; first < rows; first += batch) {
+    std::array<Octet, D - 1> at;
+    for (std::size_t axis = 1; axis < D; ++axis) at[axis - 1] = load(plan_.row_coordinate[axis - 1].data() + first);
+    for (std::size_t i = 0; i <= top; ++i) store(power(i, at), powers_ + i * padded_rows + first);
   }
-  for (std::size_t i = 0; i <= degree; ++i) hn::Store(set(along(i, y[8])), tag, powers + i * batch);
-  for (std::size_t first = 0; first < batch; first += hn::Lanes(tag))
-    signs.record(tag, horner(powers, degree, hn::LoadU(tag, x.data() + first)), t,
-                 [&](Corners_2& to, unsigned bits) { to.last_1 |= bits << first; });
-  signs.record_one(hn::GetLane(horner(powers, degree, set(x[8]))), t,
-                   [](Corners_2& to, unsigned bits) { to.both = bits; });
-  return decide_cells(signs);
+  const Octet x = load(plan_.lattice[0].data());
+  const Octet plus[] = {set(t_.sign), set(t_.positive)};
+  const Octet minus[] = {set(-t_.sign), set(-t_.negative)};
+  Corner_facts facts{{no_bits()}, {no_bits()}, {no_bits()}, {no_bits()}};
+  for (std::size_t row = 0; row < rows; ++row) {
+    Octet value = set(powers_[top * padded_rows + row]);
+    for (std::size_t i = top; i-- > 0;) value = value * x + set(powers_[i * padded_rows + row]);
+    const std::uint64_t bit = std::uint64_t{1} << row;
+    mark_at_most(facts.not_negative.words, plus[0], value, bit);
+    mark_at_most(facts.not_positive.words, value, minus[0], bit);
+    if constexpr (bent) {
+      mark_at_most(facts.positive.words, plus[1], value, bit);
+      mark_at_most(facts.negative.words, value, minus[1], bit);
+    }
+  }
+  if constexpr (D == 2)
+    for (std::size_t first = 0; first < rows; first += batch) {
+      const Octet last = set(plan_.lattice[0][side]);
+      Octet value = load(powers_ + top * padded_rows + first);
+      for (std::size_t i = top; i-- > 0;) value = value * last + load(powers_ + i * padded_rows + first);
+      facts.not_negative.last |= std::uint64_t{at_most(plus[0], value)} << first;
+      facts.not_positive.last |= std::uint64_t{at_most(value, minus[0])} << first;
+      if constexpr (bent) {
+        facts.positive.last |= std::uint64_t{at_most(plus[1], value)} << first;
+        facts.negative.last |= std::uint64_t{at_most(value, minus[1])} << first;
+      }
+    }
+  return facts;
 }
 
-template <>
-inline Leaf_masks Leaf_block<3>::decide(const Thresholds& t, double* powers) const
+template <std::size_t D>
+template <bool bent>
+HWY_INLINE auto Leaf_block<D>::look_by_degree(std::size_t degree) const -> Corner_facts
 {
-  const Tag tag;
+  switch (degree) {
+  case 1:
+    return look<bent, 1>();
+  case 2:
+    return look<bent, 2>();
+  case 3:
+    return look<bent, 3>();
+  case 4:
+    return look<bent, 4>();
+  default:
+    return look<bent, 0>();
+  }
+}
+
+/// One bit a cell, in the word of its lane: whether all (any) of its corners have the fact.
+template <std::size_t D>
+template <class Combine>
+HWY_INLINE Bits Leaf_block<D>::cells(const Facts& facts, const Combine& combine)
+{
+  Bits edges = combine(facts.words, shift_down<1>(facts.words));
+  if constexpr (D == 3) edges = combine(edges, shift_down<5>(edges));
+  std::uint64_t lanes[batch + 1];
+  store(edges, lanes);
+  if constexpr (D == 2) {
+    const std::uint64_t next = facts.last >> 1;
+    lanes[batch] = combine(facts.last, next);
+  } else {
+    lanes[batch] = 0;
+  }
+  return combine(edges, load_bits(lanes + 1));
+}
+
+template <std::size_t D>
+HWY_INLINE std::uint64_t Leaf_block<D>::mask(const Bits& cells)
+{
+  if constexpr (D == 2) {
+    return pack<std::uint8_t>(keep(cells, 0xff));
+  } else { // 4 x 4 bits of the 5 x 5 corners
+    return pack<std::uint16_t>(keep(cells, 0xf) | keep(shift_down<1>(cells), 0xf0) | keep(shift_down<2>(cells), 0xf00)
+                               | keep(shift_down<3>(cells), 0xf000));
+  }
+}
+
+template <std::size_t D>
+Leaf_masks Leaf_block<D>::decide() const
+{
+  const auto all = [](const auto& a, const auto& b) HWY_ATTR { return a & b; };
+  const auto any = [](const auto& a, const auto& b) HWY_ATTR { return a | b; };
   const std::size_t degree = slab_.size() - 2;
-  const auto& x = plan_.lattice[0];
-  alignas(64) double ys[32];
-  alignas(64) double zs[32];
-  for (std::size_t corner = 0; corner < 32; ++corner) {
-    ys[corner] = plan_.lattice[1][std::min<std::size_t>(corner / 5, 4)];
-    zs[corner] = plan_.lattice[2][corner % 5];
+  const bool bent = t_.positive != t_.sign || t_.negative != t_.sign || t_.sign == 0;
+  const Corner_facts facts = bent ? look_by_degree<true>(degree) : look_by_degree<false>(degree);
+  const Facts& positive = bent ? facts.positive : facts.not_negative;
+  const Facts& negative = bent ? facts.negative : facts.not_positive;
+  return {mask(cells(positive, all) | cells(negative, all)),
+          mask(cells(facts.not_negative, any) & cells(facts.not_positive, any))};
+}
+
+/// Evaluates f at `pieces + 1` points a side of up to eight cells; returns the lanes proved empty, and those hit.
+template <std::size_t D>
+unsigned Leaf_block<D>::probe_cells(const std::array<Octet, D>& centre, unsigned lanes, unsigned pieces,
+                                    unsigned& hit) const
+{
+  const std::size_t top = slab_.size() - 2;
+  std::array<unsigned, D> point{};
+  Octet low = set(0);
+  Octet high = low;
+  for (bool first = true;; first = false) {
+    std::array<Octet, D> at;
+    for (std::size_t axis = 0; axis < D; ++axis)
+      at[axis] = centre[axis] + set((2.0 * point[axis] / pieces - 1) / plan_.leaf_cells[axis]);
+    std::array<Octet, D - 1> others;
+    for (std::size_t axis = 1; axis < D; ++axis) others[axis - 1] = at[axis];
+    Octet value = power(top, others);
+    for (std::size_t i = top; i-- > 0;) value = value * at[0] + power(i, others);
+    low = first ? value : min(low, value);
+    high = first ? value : max(high, value);
+    std::size_t axis = 0;
+    while (axis < D && ++point[axis] > pieces) point[axis++] = 0;
+    if (axis == D) break;
   }
-  Corner_signs<Corners_3> signs;
-  for (std::size_t first = 0; first < 32; first += hn::Lanes(tag)) {
-    const Vector y = hn::Load(tag, ys + first);
-    const Vector z = hn::Load(tag, zs + first);
-    for (std::size_t i = 0; i <= degree; ++i) {
-      std::size_t line = slab_[i + 1] - 1;
-      Vector value = along(line, z);
-      while (line-- > slab_[i]) value = hn::Add(hn::Mul(value, y), along(line, z));
-      hn::Store(value, tag, powers + i * batch);
+  hit |= at_most(set(t_.probe), high) & at_most(low, set(-t_.probe)) & lanes;
+  const double bend = 1.0 / (pieces * pieces); // a chord is so much nearer than that of the whole cell
+  const double positive = t_.probe + (t_.positive - t_.sign) * bend;
+  const double negative = t_.probe + (t_.negative - t_.sign) * bend;
+  const double slack = 1 + 0x1p-40;
+  return (below(set(positive * slack), low) | below(high, set(-negative * slack))) & lanes;
+}
+
+template <std::size_t D>
+void Leaf_block<D>::probe(std::uint64_t unknown, Leaf_masks& masks) const
+{
+  while (unknown != 0) {
+    alignas(64) double coordinate[D][batch] = {};
+    unsigned bits[batch] = {};
+    unsigned lanes = 0;
+    for (std::size_t lane = 0; lane < batch && unknown != 0; ++lane, unknown &= unknown - 1) {
+      bits[lane] = static_cast<unsigned>(std::countr_zero(unknown));
+      const auto cell = cell_of<D>({}, bits[lane]);
+      for (std::size_t axis = 0; axis < D; ++axis)
+        coordinate[axis][lane] = (2.0 * cell[axis] + 1) / plan_.leaf_cells[axis] - 1;
+      lanes |= 1U << lane;
     }
-    for (std::size_t plane = 0; plane < 5; ++plane)
-      signs.record(tag, horner(powers, degree, set(x[plane])), t,
-                   [&](Corners_3& to, unsigned bits) { to.plane[plane] |= bits << first; });
+    std::array<Octet, D> centre;
+    for (std::size_t axis = 0; axis < D; ++axis) centre[axis] = load(coordinate[axis]);
+    unsigned hit = 0;
+    unsigned empty = 0;
+    for (unsigned pieces = 2; pieces <= Plan<D>::probe_pieces && (lanes & ~(hit | empty)) != 0; pieces *= 2)
+      empty |= probe_cells(centre, lanes & ~(hit | empty), pieces, hit);
+    for (std::size_t lane = 0; lane < batch; ++lane) {
+      if ((empty >> lane & 1) != 0) masks.empty |= std::uint64_t{1} << bits[lane];
+      if ((hit >> lane & 1) != 0) masks.hit |= std::uint64_t{1} << bits[lane];
+    }
   }
-  return decide_cells(signs);
 }
 
 } // namespace corral::fast::HWY_NAMESPACE
