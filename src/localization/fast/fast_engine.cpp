@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace corral::fast::HWY_NAMESPACE {
@@ -326,7 +325,7 @@ void Worker<D>::leaf_thresholds(std::size_t k, const double* c)
     concave = concave + bend(set(0) - second);
   }
   // Whatever proves a cell empty must be strict, even where nothing was rounded.
-  const Octet least = max(sign, set(std::numeric_limits<double>::denorm_min()));
+  const Octet least = max(sign, set(least_positive));
   store(sign, threshold_[0]);
   store(if_at_most(convex, set(0), least, (least + convex) * set(r.step)), threshold_[1]);
   store(if_at_most(concave, set(0), least, (least + concave) * set(r.step)), threshold_[2]);

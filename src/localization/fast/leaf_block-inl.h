@@ -10,10 +10,14 @@
 #include "Fast_plan.h"
 #include "octet-inl.h"
 
+#include <algorithm>
 #include <bit>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace corral::fast::HWY_NAMESPACE {
+
+inline constexpr double least_positive = std::numeric_limits<double>::denorm_min();
 
 /// What a computed value must reach, in absolute value, to prove something.
 struct Thresholds
@@ -56,6 +60,9 @@ public:
   void probe(std::uint64_t unknown, Leaf_masks& masks) const;
 
 private:
+  /// Whether f may have its extremes in a cell elsewhere than at the corners.
+  [[nodiscard]] bool bent() const { return std::max(t_.positive, t_.negative) > std::max(t_.sign, least_positive); }
+
   /// Facts about corners; `last` is the word of the last corner of axis 0 in the plane.
   struct Facts
   {
@@ -67,22 +74,30 @@ private:
     Facts not_negative, not_positive, positive, negative;
   };
 
-  /// Coefficient of x_0^power as a function of the other coordinates, by Horner's rule.
-  [[nodiscard]] HWY_INLINE Octet power(std::size_t i, const std::array<Octet, D - 1>& at) const
+  /// The coefficient of x_0^i as a function of the other coordinates, by Horner's rule, at `count` octets of points.
+  template <std::size_t count>
+  HWY_INLINE void power(std::size_t i, const Octet (&at)[D - 1][count], Octet (&value)[count]) const
   {
     std::size_t line = slab_[i + 1] - std::size_t{1};
-    Octet value = along(line, at[D - 2]);
+    along(line, at[D - 2], value);
     if constexpr (D == 3)
-      while (line-- > slab_[i]) value = value * at[0] + along(line, at[1]);
-    return value;
+      while (line-- > slab_[i]) {
+        Octet next[count];
+        along(line, at[1], next);
+        for (std::size_t o = 0; o < count; ++o) value[o] = value[o] * at[0][o] + next[o];
+      }
   }
-  [[nodiscard]] HWY_INLINE Octet along(std::size_t line, const Octet& x) const
+  template <std::size_t count>
+  HWY_INLINE void along(std::size_t line, const Octet (&x)[count], Octet (&value)[count]) const
   {
     const auto& l = lines_.lines[line];
     const std::uint32_t* const index = lines_.index.data() + l.first;
-    Octet value = set(c_[index[l.degree] * batch]);
-    for (std::uint32_t k = l.degree; k-- > 0;) value = value * x + set(c_[index[k] * batch]);
-    return value;
+    const Octet top = set(c_[index[l.degree] * batch]);
+    for (std::size_t o = 0; o < count; ++o) value[o] = top;
+    for (std::uint32_t k = l.degree; k-- > 0;) {
+      const Octet c = set(c_[index[k] * batch]);
+      for (std::size_t o = 0; o < count; ++o) value[o] = value[o] * x[o] + c;
+    }
   }
   template <bool bent, std::size_t degree>
   [[nodiscard]] Corner_facts look() const;
@@ -109,10 +124,14 @@ template <bool bent, std::size_t degree>
 auto Leaf_block<D>::look() const -> Corner_facts
 {
   const std::size_t top = degree == 0 ? slab_.size() - 2 : degree;
-  for (std::size_t first = 0; first < rows; first += batch) {
-    std::array<Octet, D - 1> at;
-    for (std::size_t axis = 1; axis < D; ++axis) at[axis - 1] = load(plan_.row_coordinate[axis - 1].data() + first);
-    for (std::size_t i = 0; i <= top; ++i) store(power(i, at), powers_ + i * padded_rows + first);
+  constexpr std::size_t octets = padded_rows / batch;
+  Octet at[D - 1][octets];
+  for (std::size_t axis = 1; axis < D; ++axis)
+    for (std::size_t o = 0; o < octets; ++o) at[axis - 1][o] = load(plan_.row_coordinate[axis - 1].data() + o * batch);
+  for (std::size_t i = 0; i <= top; ++i) {
+    Octet value[octets];
+    power(i, at, value);
+    for (std::size_t o = 0; o < octets; ++o) store(value[o], powers_ + i * padded_rows + o * batch);
   }
   const Octet x = load(plan_.lattice[0].data());
   const Octet plus[] = {set(t_.sign), set(t_.positive)};
@@ -197,12 +216,13 @@ Leaf_masks Leaf_block<D>::decide() const
   const auto all = [](const auto& a, const auto& b) HWY_ATTR { return a & b; };
   const auto any = [](const auto& a, const auto& b) HWY_ATTR { return a | b; };
   const std::size_t degree = slab_.size() - 2;
-  const bool bent = t_.positive != t_.sign || t_.negative != t_.sign || t_.sign == 0;
-  const Corner_facts facts = bent ? look_by_degree<true>(degree) : look_by_degree<false>(degree);
-  const Facts& positive = bent ? facts.positive : facts.not_negative;
-  const Facts& negative = bent ? facts.negative : facts.not_positive;
-  return {mask(cells(positive, all) | cells(negative, all)),
-          mask(cells(facts.not_negative, any) & cells(facts.not_positive, any))};
+  const Corner_facts facts = bent() ? look_by_degree<true>(degree) : look_by_degree<false>(degree);
+  const Bits some_not_negative = cells(facts.not_negative, any);
+  const Bits some_not_positive = cells(facts.not_positive, any);
+  const std::uint64_t hit = mask(some_not_negative & some_not_positive);
+  if (bent()) return {mask(cells(facts.positive, all) | cells(facts.negative, all)), hit};
+  if (t_.sign == 0) return {~hit, hit}; // nothing is rounded: every corner has its sign, and f its extremes at corners
+  return {mask(cells(facts.not_negative, all) | cells(facts.not_positive, all)), hit};
 }
 
 /// Evaluates f at `pieces + 1` points a side of up to eight cells; returns the lanes proved empty, and those hit.
@@ -211,22 +231,27 @@ unsigned Leaf_block<D>::probe_cells(const std::array<Octet, D>& centre, unsigned
                                     unsigned& hit) const
 {
   const std::size_t top = slab_.size() - 2;
-  std::array<unsigned, D> point{};
-  Octet low = set(0);
-  Octet high = low;
-  for (bool first = true;; first = false) {
-    std::array<Octet, D> at;
-    for (std::size_t axis = 0; axis < D; ++axis)
-      at[axis] = centre[axis] + set((2.0 * point[axis] / pieces - 1) / plan_.leaf_cells[axis]);
-    std::array<Octet, D - 1> others;
-    for (std::size_t axis = 1; axis < D; ++axis) others[axis - 1] = at[axis];
-    Octet value = power(top, others);
-    for (std::size_t i = top; i-- > 0;) value = value * at[0] + power(i, others);
-    low = first ? value : min(low, value);
-    high = first ? value : max(high, value);
-    std::size_t axis = 0;
-    while (axis < D && ++point[axis] > pieces) point[axis++] = 0;
-    if (axis == D) break;
+  const auto coordinate = [&](std::size_t axis, unsigned k) HWY_ATTR {
+    return centre[axis] + set((2.0 * k / pieces - 1) / plan_.leaf_cells[axis]);
+  };
+  Octet low = set(std::numeric_limits<double>::infinity());
+  Octet high = set(-std::numeric_limits<double>::infinity());
+  for (unsigned row = 0, last = D == 2 ? pieces + 1 : (pieces + 1) * (pieces + 1); row < last; ++row) {
+    Octet at[D - 1][1];
+    at[D - 2][0] = coordinate(D - 1, row % (pieces + 1));
+    if constexpr (D == 3) at[0][0] = coordinate(1, row / (pieces + 1));
+    for (std::size_t i = 0; i <= top; ++i) {
+      Octet value[1];
+      power(i, at, value);
+      store(value[0], powers_ + i * batch);
+    }
+    for (unsigned k = 0; k <= pieces; ++k) {
+      const Octet x = coordinate(0, k);
+      Octet value = load(powers_ + top * batch);
+      for (std::size_t i = top; i-- > 0;) value = value * x + load(powers_ + i * batch);
+      low = min(low, value);
+      high = max(high, value);
+    }
   }
   hit |= at_most(set(t_.probe), high) & at_most(low, set(-t_.probe)) & lanes;
   const double bend = 1.0 / (pieces * pieces); // a chord is so much nearer than that of the whole cell
