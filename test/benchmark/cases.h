@@ -87,7 +87,8 @@ inline std::vector<Problem<2>> hard_curves()
   }
   return {{"T_12(x) = T_9(y)", chebyshev(12, 0) - chebyshev(9, 1), -1},
           {"12 lines", lines, -1},
-          {"near-tangent ovals", parse_polynomial<2>("(x^2 + 4*y^2 - 1/2)*(4*x^2 + y^2 - 1/2) + 1/100000", {"x", "y"}), -1}};
+          {"near-tangent ovals", parse_polynomial<2>("(x^2 + 4*y^2 - 1/2)*(4*x^2 + y^2 - 1/2) + 1/100000", {"x", "y"}),
+           -1}};
 }
 
 } // namespace corral::benchmark

@@ -61,15 +61,15 @@ struct Plan
   Rounding rounding;
   Root_form root;
   std::vector<double> halves;      ///< halves[d] = 2^-d
-  std::vector<double> drop_share;                  ///< by level: what terms may be dropped, relative to the gradient
+  std::vector<double> drop_share;  ///< by level: what terms may be dropped, relative to the gradient
   std::vector<double> exact_below; ///< by tree depth: forms of at most this norm are split into that depth exactly
   double exact_corner; ///< leaf forms of at most this norm are evaluated exactly at the corners of the cells
   double exact_probe;  ///< the same for the points of the finest lattice in a cell
-  std::array<std::vector<Weight>, D> weights;      ///< by position, without 1 and x_axis
-  std::array<std::size_t, D> linear;               ///< position of x_axis
-  std::array<std::size_t, D> square;               ///< position of x_axis^2
-  std::array<std::uint32_t, D> leaf_cells;         ///< cells of a leaf block along each axis
-  std::array<std::array<double, 16>, D> lattice{}; ///< coordinates of the grid lines of a leaf block
+  std::array<std::vector<Weight>, D> weights;                        ///< by position, without 1 and x_axis
+  std::array<std::size_t, D> linear;                                 ///< position of x_axis
+  std::array<std::size_t, D> square;                                 ///< position of x_axis^2
+  std::array<std::uint32_t, D> leaf_cells;                           ///< cells of a leaf block along each axis
+  std::array<std::array<double, 16>, D> lattice{};                   ///< coordinates of the grid lines of a leaf block
   std::array<std::array<double, padded_rows>, D - 1> row_coordinate; ///< the same of each row, axes 1 to D-1
   std::array<double, D> sag; ///< 1 / (2 leaf_cells^2): how far a unit second derivative bends away from a chord
 };

@@ -284,6 +284,7 @@ void Worker<D>::emit_seeds(unsigned level)
     Pool<D>& from = pool(level, k);
     for (std::size_t lane = 0; lane < from.count; ++lane) {
       Seed<D> seed{k, {}};
+      seed.rows.reserve(header + cut(k).size);
       for (std::size_t row = 0; row < header + cut(k).size; ++row) seed.rows.push_back(from.row(row)[lane]);
       harvest_.seeds.push_back(std::move(seed));
     }

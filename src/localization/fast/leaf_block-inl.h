@@ -100,9 +100,11 @@ private:
     }
   }
   template <bool bent, std::size_t degree>
-  [[nodiscard]] Corner_facts look() const;
+  [[nodiscard]] HWY_INLINE Corner_facts look() const;
+  template <bool bent, std::size_t degree>
+  [[nodiscard]] Leaf_masks decide_as() const;
   template <bool bent>
-  [[nodiscard]] HWY_INLINE Corner_facts look_by_degree(std::size_t degree) const;
+  [[nodiscard]] Leaf_masks decide_by_degree() const;
   template <class Combine>
   [[nodiscard]] static HWY_INLINE Bits cells(const Facts& facts, const Combine& combine);
   [[nodiscard]] static HWY_INLINE std::uint64_t mask(const Bits& cells);
@@ -121,7 +123,7 @@ private:
 /// \tparam degree  that of axis 0, or 0 if it is only known at run time.
 template <std::size_t D>
 template <bool bent, std::size_t degree>
-auto Leaf_block<D>::look() const -> Corner_facts
+HWY_INLINE auto Leaf_block<D>::look() const -> Corner_facts
 {
   const std::size_t top = degree == 0 ? slab_.size() - 2 : degree;
   constexpr std::size_t octets = padded_rows / batch;
@@ -163,24 +165,6 @@ auto Leaf_block<D>::look() const -> Corner_facts
   return facts;
 }
 
-template <std::size_t D>
-template <bool bent>
-HWY_INLINE auto Leaf_block<D>::look_by_degree(std::size_t degree) const -> Corner_facts
-{
-  switch (degree) {
-  case 1:
-    return look<bent, 1>();
-  case 2:
-    return look<bent, 2>();
-  case 3:
-    return look<bent, 3>();
-  case 4:
-    return look<bent, 4>();
-  default:
-    return look<bent, 0>();
-  }
-}
-
 /// One bit a cell, in the word of its lane: whether all (any) of its corners have the fact.
 template <std::size_t D>
 template <class Combine>
@@ -188,15 +172,8 @@ HWY_INLINE Bits Leaf_block<D>::cells(const Facts& facts, const Combine& combine)
 {
   Bits edges = combine(facts.words, shift_down<1>(facts.words));
   if constexpr (D == 3) edges = combine(edges, shift_down<5>(edges));
-  std::uint64_t lanes[batch + 1];
-  store(edges, lanes);
-  if constexpr (D == 2) {
-    const std::uint64_t next = facts.last >> 1;
-    lanes[batch] = combine(facts.last, next);
-  } else {
-    lanes[batch] = 0;
-  }
-  return combine(edges, load_bits(lanes + 1));
+  const std::uint64_t next = facts.last >> 1;
+  return combine(edges, next_lane(edges, combine(facts.last, next)));
 }
 
 template <std::size_t D>
@@ -211,18 +188,40 @@ HWY_INLINE std::uint64_t Leaf_block<D>::mask(const Bits& cells)
 }
 
 template <std::size_t D>
-Leaf_masks Leaf_block<D>::decide() const
+template <bool bent, std::size_t degree>
+Leaf_masks Leaf_block<D>::decide_as() const
 {
   const auto all = [](const auto& a, const auto& b) HWY_ATTR { return a & b; };
   const auto any = [](const auto& a, const auto& b) HWY_ATTR { return a | b; };
-  const std::size_t degree = slab_.size() - 2;
-  const Corner_facts facts = bent() ? look_by_degree<true>(degree) : look_by_degree<false>(degree);
-  const Bits some_not_negative = cells(facts.not_negative, any);
-  const Bits some_not_positive = cells(facts.not_positive, any);
-  const std::uint64_t hit = mask(some_not_negative & some_not_positive);
-  if (bent()) return {mask(cells(facts.positive, all) | cells(facts.negative, all)), hit};
+  const Corner_facts facts = look<bent, degree>();
+  const std::uint64_t hit = mask(cells(facts.not_negative, any) & cells(facts.not_positive, any));
+  if constexpr (bent) return {mask(cells(facts.positive, all) | cells(facts.negative, all)), hit};
   if (t_.sign == 0) return {~hit, hit}; // nothing is rounded: every corner has its sign, and f its extremes at corners
   return {mask(cells(facts.not_negative, all) | cells(facts.not_positive, all)), hit};
+}
+
+template <std::size_t D>
+template <bool bent>
+Leaf_masks Leaf_block<D>::decide_by_degree() const
+{
+  switch (slab_.size() - 2) {
+  case 1:
+    return decide_as<bent, 1>();
+  case 2:
+    return decide_as<bent, 2>();
+  case 3:
+    return decide_as<bent, 3>();
+  case 4:
+    return decide_as<bent, 4>();
+  default:
+    return decide_as<bent, 0>();
+  }
+}
+
+template <std::size_t D>
+Leaf_masks Leaf_block<D>::decide() const
+{
+  return bent() ? decide_by_degree<true>() : decide_by_degree<false>();
 }
 
 /// Evaluates f at `pieces + 1` points a side of up to eight cells; returns the lanes proved empty, and those hit.
@@ -231,9 +230,8 @@ unsigned Leaf_block<D>::probe_cells(const std::array<Octet, D>& centre, unsigned
                                     unsigned& hit) const
 {
   const std::size_t top = slab_.size() - 2;
-  const auto coordinate = [&](std::size_t axis, unsigned k) HWY_ATTR {
-    return centre[axis] + set((2.0 * k / pieces - 1) / plan_.leaf_cells[axis]);
-  };
+  const auto coordinate = [&](std::size_t axis, unsigned k)
+                              HWY_ATTR { return centre[axis] + set((2.0 * k / pieces - 1) / plan_.leaf_cells[axis]); };
   Octet low = set(std::numeric_limits<double>::infinity());
   Octet high = set(-std::numeric_limits<double>::infinity());
   for (unsigned row = 0, last = D == 2 ? pieces + 1 : (pieces + 1) * (pieces + 1); row < last; ++row) {

@@ -131,14 +131,6 @@ HWY_INLINE Bits no_bits()
 {
   return each_word([&](std::size_t) HWY_ATTR { return hn::Zero(Bit_tag()); });
 }
-HWY_INLINE Bits load_bits(const std::uint64_t* from)
-{
-  return each_word([&](std::size_t p) HWY_ATTR { return hn::LoadU(Bit_tag(), from + p * part_lanes); });
-}
-HWY_INLINE void store(const Bits& a, std::uint64_t* to)
-{
-  for (std::size_t p = 0; p < parts; ++p) hn::StoreU(a.part[p], Bit_tag(), to + p * part_lanes);
-}
 HWY_INLINE Bits operator&(const Bits& a, const Bits& b)
 {
   return each_word([&](std::size_t p) HWY_ATTR { return hn::And(a.part[p], b.part[p]); });
@@ -164,6 +156,23 @@ HWY_INLINE void mark_at_most(Bits& words, const Octet& a, const Octet& b, std::u
     const auto mask = hn::RebindMask(Bit_tag(), hn::Le(a.part[p], b.part[p]));
     words.part[p] = hn::Or(words.part[p], hn::IfThenElseZero(mask, hn::Set(Bit_tag(), bit)));
   }
+}
+
+/// The word of the next lane; that of the last lane is `last`.
+HWY_INLINE Bits next_lane(const Bits& a, std::uint64_t last)
+{
+  std::int64_t order[part_lanes];
+  for (std::size_t lane = 0; lane < part_lanes; ++lane)
+    order[lane] = static_cast<std::int64_t>((lane + 1) % part_lanes);
+  const std::int64_t zeros[part_lanes] = {};
+  const auto rotate = hn::SetTableIndices(Bit_tag(), order);
+  const auto broadcast = hn::SetTableIndices(Bit_tag(), zeros);
+  const auto all_but_last = hn::FirstN(Bit_tag(), part_lanes - 1);
+  return each_word([&](std::size_t p) HWY_ATTR {
+    const auto following =
+        p + 1 < parts ? hn::TableLookupLanes(a.part[p + 1 < parts ? p + 1 : p], broadcast) : hn::Set(Bit_tag(), last);
+    return hn::IfThenElse(all_but_last, hn::TableLookupLanes(a.part[p], rotate), following);
+  });
 }
 
 /// The lowest bits of each lane side by side: 8 of eight lanes, or 16 of the first four.
