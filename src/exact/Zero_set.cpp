@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Zero_set.h"
 
+#include "Shadows.h"
+
 #include <corral/polynomial/evaluate.h>
 #include <corral/polynomial/integer_form.h>
 #include <corral/polynomial/square_free.h>
@@ -17,6 +19,7 @@ namespace {
 
 constexpr std::size_t max_restrictions = 256; // kept for the neighbours, then forgotten: bounded memory
 constexpr std::size_t max_guesses = 16;
+constexpr std::size_t max_outline_size = 7 * 7 * 7; // coefficients of a sextic
 
 template <std::size_t D>
 Rational_point<D> corner_of(const Rational_box<D>& box, unsigned corner)
@@ -168,6 +171,14 @@ Polynomial<Integer, D - 1> restriction(const Polynomial<Integer, D>& g, std::siz
 }
 
 template <std::size_t D>
+Zero_set<D>::Zero_set(Source source, Checkpoint checkpoint, Witnesses witnesses)
+    : source_(std::move(source)), checkpoint_(std::move(checkpoint)), witnesses_(witnesses)
+{}
+
+template <std::size_t D>
+Zero_set<D>::~Zero_set() = default;
+
+template <std::size_t D>
 const Polynomial<Integer, D>& Zero_set<D>::polynomial()
 {
   if (!polynomial_) polynomial_ = source_();
@@ -201,7 +212,7 @@ Cell_decision<D> Zero_set<D>::decide(const Bernstein_form<D>& form, const Ration
         return {Verdict::empty, Rung::integers, No_piece_inside<D>{axis, {box}}, {}};
   search.live.push_back({form, {}});
   const bool dear = form.values.size() > 170; // elimination costs more than many boxes
-  if (auto decision = subdivide(search, dear ? 12 : 6, dear ? 60 : 20)) return *decision;
+  if (auto decision = subdivide(search, dear ? 24 : 6, dear ? 60 : 20)) return *decision;
   return decide_by_algebra(search);
 }
 
@@ -311,10 +322,21 @@ Cell_decision<D> Zero_set<D>::decide_by_algebra(Search& search)
     if (witnesses_ == Witnesses::simple) return {Verdict::hit, Rung::algebra, std::monostate{}, {}};
     return {Verdict::hit, Rung::algebra, std::move(zeros.front()), {}};
   } else {
-    if (auto decision = subdivide(search, 40, 2000)) return *decision;
+    if (auto decision = subdivide(search, 200, 64)) return *decision;
+    if (!search.boundary_clean)
+      return {Verdict::unknown, Rung::algebra, std::monostate{},
+              "a zero on a facet of the cell was neither found nor excluded"};
+    if (search.live.front().form.values.size() > max_outline_size)
+      return {Verdict::unknown, Rung::algebra, std::monostate{},
+              "a closed piece inside the cell was neither found nor excluded, and the degree is too high for outlines"};
+    if (!shadows_) shadows_ = std::make_unique<Shadows>(polynomial(), checkpoint_);
+    for (const unsigned more_levels : {0U, 6U}) {
+      if (auto decision = subdivide(search, search.depth + more_levels, 2000)) return *decision;
+      std::erase_if(search.live, [&](const Piece& piece) { return shadows_->exclude(piece_box(search, piece)); });
+      if (search.live.empty()) return {Verdict::empty, Rung::algebra, std::monostate{}, {}};
+    }
     return {Verdict::unknown, Rung::algebra, std::monostate{},
-            search.boundary_clean ? "a singular zero inside the cell was neither found nor excluded"
-                                  : "a zero on a facet of the cell was neither found nor excluded"};
+            "a singular zero inside the cell was neither found nor excluded"};
   }
 }
 

@@ -17,6 +17,8 @@
 
 namespace corral::exact {
 
+class Shadows;
+
 /// \brief The zero set of one polynomial, asked of closed boxes whether they meet it. Proof: doc/exact.md.
 ///
 /// What is costly to know (restrictions to the planes of facets, resultants) is computed when first needed and kept.
@@ -27,9 +29,8 @@ public:
   using Source = std::function<Polynomial<Integer, D>()>;
 
   /// `source` gives the polynomial; it is called at most once, and only if signs of coefficients do not suffice.
-  Zero_set(Source source, Checkpoint checkpoint, Witnesses witnesses)
-      : source_(std::move(source)), checkpoint_(std::move(checkpoint)), witnesses_(witnesses)
-  {}
+  Zero_set(Source source, Checkpoint checkpoint, Witnesses witnesses);
+  ~Zero_set();
 
   /// \brief Decides a closed box.
   /// \param form  the polynomial on `box`, times a positive number.
@@ -65,6 +66,7 @@ private:
   std::optional<Polynomial<Integer, D>> polynomial_;
   std::map<std::pair<std::size_t, Rational>, std::unique_ptr<Zero_set<(D > 1 ? D - 1 : 1)>>> restrictions_;
   std::unique_ptr<Plane_system> extremes_; ///< D = 2: g and its derivative by y
+  std::unique_ptr<Shadows> shadows_;       ///< D = 3: the outlines of g
 };
 
 /// g with one variable set to a rational value, times a positive integer, as a polynomial in the others.

@@ -3,7 +3,14 @@ target_sources(corral PRIVATE
   exact/Bivariate.cpp
   exact/Extension.cpp
   exact/Plane_system.cpp
+  exact/multivariate.cpp
   exact/Prime_field.cpp
+  exact/Shadows.cpp
   exact/Zero_set.cpp
   exact/ideal_raster.cpp
   exact/real_roots.cpp)
+
+# Oracles of other makers, for tests and audits only; nothing of the library needs them.
+add_library(corral_oracles STATIC EXCLUDE_FROM_ALL exact/cgal_oracles.cpp exact/flint_oracles.cpp)
+add_library(Corral::oracles ALIAS corral_oracles)
+target_link_libraries(corral_oracles PUBLIC corral PRIVATE FLINT::flint MPFI::mpfi)
