@@ -202,15 +202,18 @@ struct Section
 };
 
 constexpr Section sections[] = {
-    {0, "Curves by RT++", "Figures 3 to 12: the recursive Taylor method of order 2 with point sampling and subpixels."},
-    {10, "MAA and RT without sampling", "Figures 13 and 14: Example 4, to compare with Figure 6."},
-    {12, "Surfaces by RT++",
+    {0, "Curves",
+     "Figures 3 to 12, which the paper drew by RT++: the recursive Taylor method of order 2 with point "
+     "sampling and subpixels."},
+    {10, "Example 4 again",
+     "Figures 13 and 14, which the paper drew by MAA and RT without sampling; compare Figure 6."},
+    {12, "Surfaces",
      "Figures 15 to 24. The paper's counts of Examples 12 and 14 to 19 do not follow from the method that it "
      "describes: "
      "its subvoxel test bounded the polynomial of Example 20 instead. Both counts are given."},
     {22, "Space curves",
      "Where two surfaces meet: a cell is kept while neither polynomial excludes it. The third is "
-     "two spheres that touch in a single point, the origin, which 2^3 voxels share."}};
+     "two spheres that touch in a single point, the origin, which eight voxels share."}};
 
 std::string page(const std::vector<std::string>& cards, const std::string& number)
 {
