@@ -54,7 +54,8 @@ public:
   using Form = Bernstein_form<D>;
 
   Certifier(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Certify_options& options)
-      : options_(options), tree_(grid.resolution()), decider_(f, grid, [this] { require_going(); }),
+      : options_(options), cell_count_(grid.cell_count()), tree_(grid.resolution()),
+        decider_(f, grid, [this] { require_going(); }),
         rational_(transform<Rational>(decider_.square_free(), [](const Integer& c) { return Rational(c); })),
         result_(start(f, decider_.square_free(), grid))
   {}
@@ -97,16 +98,24 @@ private:
     int zero_sign = 0;
   };
 
+  /// Whether to go on; once stopped, for good.
+  bool goes_on()
+  {
+    if (!stopped_ && options_.progress) {
+      stopped_ = !options_.progress(static_cast<double>(settled_) / cell_count_);
+    }
+    return !stopped_;
+  }
+
   void require_going()
   {
-    if (options_.keep_going && !options_.keep_going()) stopped_ = true;
-    if (stopped_) throw Cancelled("certificate: stopped by the caller");
+    if (!goes_on()) throw Cancelled("certificate: stopped by the caller");
   }
 
   void visit(Form form, const Node& node)
   {
-    if (!stopped_ && options_.keep_going) stopped_ = !options_.keep_going();
-    if (stopped_) return leave_unknown("stopped before it was decided", node);
+    settled_ = result_.empty + result_.hit + result_.unknown;
+    if (!goes_on()) return leave_unknown("stopped before it was decided", node);
     const auto pattern = exact::sign_pattern(form);
     if (pattern.hull != 0) {
       result_.tree += 'e';
@@ -138,8 +147,8 @@ private:
       return;
     }
     constexpr std::size_t first_boxes = 64; // a cut or two prove most empty cells
-    if (attempt(form, pattern.corners, first_boxes, node)) return;
     try {
+      if (attempt(form, pattern.corners, first_boxes, node)) return;
       const auto decision = decider_.decide(node.corner);
       if (decision.verdict == Verdict::unknown) return leave_unknown("not decided: " + decision.reason, node);
       if (decision.verdict == Verdict::hit) return add_witness(decision.witness, node);
@@ -243,11 +252,13 @@ private:
   }
 
   const Certify_options& options_;
+  double cell_count_;
+  std::uint64_t settled_ = 0; ///< cells
+  bool stopped_ = false;
   Subdivision_tree<D> tree_;
   Cell_decider<D> decider_;
   Polynomial<Rational, D> rational_; ///< the square-free part
   Certificate<D> result_;
-  bool stopped_ = false;
 };
 
 } // namespace

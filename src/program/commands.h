@@ -10,6 +10,7 @@
 namespace corral::program {
 
 void add_localize(CLI::App& app);
+void add_certify(CLI::App& app);
 void add_bound(CLI::App& app);
 void add_reproduce(CLI::App& app);
 void add_list(CLI::App& app);

@@ -59,6 +59,7 @@ int run(int argc, char** argv)
   app.set_version_flag("--version", "corral " CORRAL_VERSION);
   app.require_subcommand(1);
   add_localize(app);
+  add_certify(app);
   add_reproduce(app);
   add_list(app);
 
@@ -77,7 +78,7 @@ int run(int argc, char** argv)
   }
   try {
     app.parse(operands_marked(argc, argv));
-    return done;
+    return interrupted_by() != 0 ? 128 + interrupted_by() : done; // a command may keep what it has proved
   } catch (const CLI::Success& success) { // --help and --version
     return app.exit(success);
   } catch (const CLI::ParseError& error) {

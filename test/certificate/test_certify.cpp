@@ -87,7 +87,10 @@ TEST(Certify, keeps_what_it_has_proved_when_stopped)
 {
   int boxes = 0;
   Certify_options options;
-  options.keep_going = [&] { return ++boxes < 30; };
+  options.progress = [&](double done) {
+    EXPECT_LE(done, 1);
+    return ++boxes < 30;
+  };
   const auto certificate = certify(parse_polynomial<2>("x^2 + y^2 - 1", names<2>()), cube<2>("-2", "2", 16), options);
   EXPECT_GT(certificate.unknown, 0U);
   EXPECT_GT(certificate.empty + certificate.hit, 0U);

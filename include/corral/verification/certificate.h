@@ -50,8 +50,9 @@ struct Certify_options
 {
   /// The number of boxes into which one cell may be cut to prove that it is empty.
   std::size_t max_boxes = std::size_t{1} << 16;
-  /// Asked before each box; `false` stops. What is proved by then is kept, and the rest is unknown.
-  std::function<bool()> keep_going{};
+  /// Called before each box with the part of the grid that is done (0 to 1); `false` stops. What is proved by then is
+  /// kept, and the rest is unknown.
+  std::function<bool(double)> progress{};
 };
 
 /// \brief Decides every cell of the grid exactly and proves it.
@@ -62,6 +63,7 @@ struct Certify_options
 ///
 /// \throw Invalid_input if `f` is zero or the grid has 2^62 cells or more.
 /// \throw Budget_exceeded if the degrees are above the limits of the format.
+/// \throw Cancelled if it is stopped before the square-free part is known.
 /// \par Complexity  As for an ideal raster; n^2/2 additions of integers for each box and line of degree n.
 template <std::size_t D>
 [[nodiscard]] Certificate<D> certify(const Polynomial<Rational, D>& f, const Grid<D>& grid,

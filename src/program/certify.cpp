@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "Progress.h"
+#include "arguments.h"
+#include "commands.h"
+
+#include <corral/output/Output_file.h>
+#include <corral/verification/certificate.h>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+namespace corral::program {
+
+namespace {
+
+struct Certify_arguments
+{
+  std::string polynomial;
+  std::string box;
+  std::string resolution;
+  std::string variables;
+  std::string output;
+  std::size_t max_boxes = Certify_options().max_boxes;
+};
+
+template <std::size_t D>
+void print_summary(const Certificate<D>& certificate, const std::string& path, std::size_t bytes)
+{
+  std::cout << "certified: " << certificate.empty + certificate.plotted() << " cells, " << certificate.empty
+            << " empty, " << certificate.hit << " hit, " << certificate.unknown << " unknown; " << bytes << " bytes in "
+            << path << '\n';
+  for (const auto& reason : certificate.reasons) std::cout << "unknown: " << reason << '\n';
+  if (!std::cout.flush()) throw Output_error("certify: cannot write standard output");
+}
+
+template <std::size_t D>
+void certify_in(const Certify_arguments& arguments, const Space& space, const std::string& text)
+{
+  const auto f = polynomials_of<D>(space, {text}).front();
+  const auto counts = read_resolution(arguments.resolution, D);
+  Resolution<D> resolution;
+  std::copy_n(counts.begin(), D, resolution.begin());
+  std::array<std::string, D> variables;
+  std::copy_n(space.variables.begin(), D, variables.begin());
+
+  Progress progress("certify");
+  Certify_options options;
+  options.max_boxes = arguments.max_boxes;
+  options.progress = [&](double done) { return progress(done); };
+  const auto certificate = certify(f, Grid<D>(box_of<D>(space), resolution), options);
+  std::string bytes = to_json(certificate, variables);
+  if (arguments.output.ends_with(".gz")) bytes = gzip(bytes);
+  write_whole_file(arguments.output, [&](std::ostream& stream) { stream << bytes; });
+  print_summary(certificate, arguments.output, bytes.size());
+}
+
+void certify_command(const Certify_arguments& arguments)
+{
+  if (!arguments.output.ends_with(".json") && !arguments.output.ends_with(".json.gz"))
+    throw Invalid_input("certify: output file '" + arguments.output + "'; expected a name ending in .json or .json.gz");
+  const std::string text = polynomial_text(arguments.polynomial);
+  const Space space = read_space(arguments.box, arguments.variables, {text});
+  with_dimension(space, [&](auto dimension) {
+    if constexpr (dimension <= 3)
+      certify_in<dimension>(arguments, space, text);
+    else
+      throw Invalid_input("certify: given " + std::to_string(dimension) + " axes; expected 1 to 3");
+  });
+}
+
+} // namespace
+
+void add_certify(CLI::App& app)
+{
+  const auto arguments = std::make_shared<Certify_arguments>();
+  CLI::App* const command =
+      app.add_subcommand("certify", "Decide every cell exactly and write the proofs to a file for corral-check");
+  command->add_option("POLY", arguments->polynomial, "polynomial; @FILE reads it from a file, @- from standard input")
+      ->required();
+  command->add_option("--box", arguments->box, "LOWER:UPPER for each axis, separated by commas, such as -1:1,0:3/2")
+      ->required();
+  command->add_option("--resolution", arguments->resolution, "number of cells along each axis: N or NX,NY[,NZ]")
+      ->required();
+  command->add_option("--variables", arguments->variables, "names of the axes in order (else alphabetical)");
+  command->add_option("--output", arguments->output, "certificate to write: .json or .json.gz")->required();
+  command->add_option("--max-boxes", arguments->max_boxes, "boxes into which one cell may be cut to prove it empty")
+      ->capture_default_str();
+  command->footer("When interrupted, what is proved by then is written and the rest left unknown.\n"
+                  "Example:\n"
+                  "  corral certify 'x^2 + y^2 - 1' --box -2:2,-2:2 --resolution 256 --output circle.json.gz\n"
+                  "  corral-check circle.json.gz\n"
+                  "The format is specified in doc/certificate.md.");
+  command->callback([arguments] { certify_command(*arguments); });
+}
+
+} // namespace corral::program

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <program/run_program.h>
+
+#include "check.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace corral::test;
+using Words = std::vector<std::string>;
+
+Program_run certify(const std::filesystem::path& folder, Words words)
+{
+  Program_limits limits;
+  limits.folder = folder;
+  words.insert(words.begin(), "certify");
+  return run_program(words, limits);
+}
+
+TEST(Certify_command, writes_a_certificate_that_the_checker_accepts)
+{
+  const Temporary_folder folder;
+  const auto run = certify(
+      folder.path(), {"-1 + x^2 + y^2", "--box", "-2:2,-2:2", "--resolution", "16,8", "--output", "circle.json.gz"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const auto counts = corral_check::check(content(folder.path() / "circle.json.gz"));
+  EXPECT_EQ(counts.empty + counts.hit, 128U);
+  EXPECT_EQ(run.out.rfind("certified: 128 cells, " + std::to_string(counts.empty) + " empty, "
+                              + std::to_string(counts.hit) + " hit, 0 unknown; ",
+                          0),
+            0U)
+      << run.out;
+}
+
+TEST(Certify_command, refuses_bad_input_in_one_line_and_writes_nothing)
+{
+  const struct
+  {
+    Words words;
+    const char* hint;
+    int exit_code = 2;
+  } cases[] = {
+      {{"x", "--box", "0:1", "--resolution", "4", "--output", "a.txt"}, ".json or .json.gz"},
+      {{"x", "--box", "0:1", "--resolution", "0", "--output", "a.json"}, "resolution"},
+      {{"x+", "--box", "0:1", "--resolution", "4", "--output", "a.json"}, "expected"},
+      {{"x-x", "--box", "0:1", "--resolution", "4", "--output", "a.json"}, "zero"},
+      {{"x", "--box", "0:1", "--resolution", "4"}, "--output"},
+      {{"x", "--box", "0:1,0:1,0:1,0:1", "--resolution", "4", "--variables", "x,y,z,t", "--output", "a.json"},
+       "1 to 3"},
+      {{"x^300*y^300-1", "--box", "0:1,0:1", "--resolution", "4", "--output", "a.json"}, "65536", 1},
+      {{"x", "--box", "0:1", "--resolution", "4", "--output", "no/such/folder/a.json"}, "no/such/folder", 1},
+  };
+  for (const auto& c : cases) {
+    SCOPED_TRACE(c.hint);
+    const Temporary_folder folder;
+    const auto run = certify(folder.path(), c.words);
+    EXPECT_EQ(run.exit_code, c.exit_code);
+    EXPECT_NE(run.err.find(c.hint), std::string::npos) << run.err;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(folder.files(), Words{});
+  }
+}
+
+} // namespace
