@@ -1,6 +1,7 @@
 target_sources(corral PRIVATE
   exact/Integer_polynomial.cpp
   exact/Bivariate.cpp
+  exact/Common_zeros.cpp
   exact/Extension.cpp
   exact/Plane_system.cpp
   exact/multivariate.cpp
@@ -8,6 +9,7 @@ target_sources(corral PRIVATE
   exact/Shadows.cpp
   exact/Zero_set.cpp
   exact/ideal_raster.cpp
+  exact/ideal_system.cpp
   exact/real_roots.cpp)
 
 # Oracles of other makers, for tests and audits only; nothing of the library needs them.

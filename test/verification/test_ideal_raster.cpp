@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verification/all_cells.h"
 #include "verification/check_witness.h"
 
 #include <corral/errors.h>
+#include <corral/localization/localize_fast.h>
 #include <corral/polynomial/parse.h>
 #include <corral/verification/ideal_raster.h>
 
@@ -15,29 +17,7 @@
 namespace {
 
 using namespace corral;
-
-template <std::size_t D>
-Cell_set<D> all_cells(const Resolution<D>& resolution)
-{
-  Cell_set<D> cells;
-  Cell<D> block{};
-  const auto blocks = [&](std::size_t axis) { return (resolution[axis] + block_side<D> - 1) / block_side<D>; };
-  for (;;) {
-    Cell_block<D> entry{block, 0, 0};
-    for (unsigned bit = 0; bit < 64; ++bit) {
-      const auto cell = cell_of<D>(block, bit);
-      bool inside = true;
-      for (std::size_t axis = 0; axis < D; ++axis) inside = inside && cell[axis] < resolution[axis];
-      if (inside) entry.plotted |= std::uint64_t{1} << bit;
-    }
-    cells.append(entry);
-    std::size_t axis = 0;
-    while (axis < D && ++block[axis] == blocks(axis)) block[axis++] = 0;
-    if (axis == D) break;
-  }
-  cells.finish();
-  return cells;
-}
+using check::all_cells;
 
 template <std::size_t D>
 struct Plot
@@ -178,6 +158,149 @@ TEST(Ideal_raster, finds_the_egg_of_24a1)
     }
   EXPECT_EQ(hit, (std::vector<Cell<2>>{{216, 511}, {216, 512}}));
   EXPECT_EQ(seen_by_corners(f, grid, all), 0U); // negative control: four corners lose the egg
+}
+
+TEST(Ideal_raster, decides_hard_curves_completely)
+{
+  const std::vector<std::pair<const char*, std::size_t>> curves = {
+      {"((x^2-2)^2+(x*y-1)^2)*(x^3+y^3-3*x*y-1/2)", 0}, // two irrational isolated points beside a cubic
+      {"(x^3-3*x+1)^2+(y^3-x*y-1)^2", 3},               // three points with coordinates of degree 9
+      {"(x^4-10*x^2+1)^2+(y^4-10*y^2+1)^2", 4},
+      {"(x^2+y^2-1)*(x^2+y^2-1-1/1000000000000)", 0},
+      {"(x^2+y^2)^5-(x^4-6*x^2*y^2+y^4)^2", 0},
+      {"((8*x^4-8*x^2+1)-(16*y^5-20*y^3+5*y))^2+1/10^30", 0},
+      {"(y-x^2)^2-x^5", 0},
+      {"y^2-x^8", 0},
+      {"x^60+y^60-1", 0}};
+  for (const auto& [text, points] : curves) {
+    const auto result = plot<2>(text, around, 16);
+    EXPECT_EQ(result.unknown, 0U) << text;
+    if (points > 0) {
+      EXPECT_EQ(result.hit.size(), points) << text;
+    }
+  }
+  EXPECT_TRUE(plot<2>("((8*x^4-8*x^2+1)-(16*y^5-20*y^3+5*y))^2+1/10^30", around, 16).hit.empty());
+}
+
+TEST(Ideal_raster, takes_coefficients_of_a_thousand_digits)
+{
+  std::string big = "1";
+  for (int i = 0; i < 1000; ++i) big += static_cast<char>('0' + i * i % 10);
+  const auto circle = "(" + big + ")*(x^2+y^2)-2*(" + big + ")-1/(" + big + ")";
+  const auto result = plot<2>(circle, around, 16);
+  EXPECT_EQ(result.unknown, 0U);
+  EXPECT_EQ(result.hit, plot<2>("x^2+y^2-2-1/10^40", around, 16).hit);
+  EXPECT_NE(result.hit, plot<2>("x^2+y^2-2+1/10^40", around, 16).hit); // the sign of 1e-1000 matters at grid points
+}
+
+TEST(Ideal_raster, decides_surfaces_with_singularities_completely)
+{
+  const Rational_box<3> box = {Rational_interval(-2, 2), Rational_interval(-2, 2), Rational_interval(-2, 2)};
+  const std::vector<std::pair<const char*, std::size_t>> surfaces = {
+      {"4*(x^3+y^3+z^3+1)-(x+y+z+1)^3", 1}, // Cayley
+      {"81*(x^3+y^3+z^3)-189*(x^2*y+x^2*z+y^2*x+y^2*z+z^2*x+z^2*y)+54*x*y*z+126*(x*y+x*z+y*z)"
+       "-9*(x^2+y^2+z^2)-9*(x+y+z)+1",
+       1},                                                                                      // Clebsch
+      {"x^4+y^4+z^4-(x^2+y^2+z^2)-(x^2*y^2+y^2*z^2+z^2*x^2)+1", 1},                             // Kummer
+      {"x^4-5*x^2+y^4-5*y^2+z^4-5*z^2+59/5", 1},                                                // tanglecube
+      {"x^2-y^2*z", 1},                                                                         // Whitney
+      {"4*(233/89*x^2-y^2)*(233/89*y^2-z^2)*(233/89*z^2-x^2)-(1+233/72)*(x^2+y^2+z^2-1)^2", 1}, // near Barth's sextic
+      {"(x+2*y-3*z)^2", 1},
+      {"(3*x-1)^2+(7*y-1)^2+(5*z-1)^2", 1},
+      {"(3*x-1)^2+(7*y-1)^2+(5*z-1)^2-1/10^30", 1},
+      {"x^2*y^2+y^2*z^2+z^2*x^2", 1},
+      {"(x^2+y^2-2)^2+(3*z-1)^2", 1},
+      {"x^2+y^2+z^2+1/10^30", 0},
+      {"(x+y+z)^2+1/10^30", 0}};
+  for (const auto& [text, some] : surfaces) {
+    const auto result = plot<3>(text, box, 6);
+    EXPECT_EQ(result.unknown, 0U) << text;
+    EXPECT_EQ(result.hit.empty(), some == 0) << text;
+  }
+}
+
+struct Paper_example
+{
+  const char* polynomial;
+  std::size_t ideal; ///< cells at the paper's resolution that hold a zero
+};
+
+TEST(Ideal_raster, knows_the_ideal_rasters_of_the_curves_of_the_paper)
+{
+  const std::vector<Paper_example> examples = {
+      {"15/4+8*x-16*x^2+8*y-112*x*y+128*x^2*y-16*y^2+128*x*y^2-128*x^2*y^2", 522},
+      {"20160*x^5-30176*x^4+14156*x^3-2344*x^2+151*x+237-480*y", 432},
+      {"945/1000*x*y-943214/100000*x^2*y^3+74554/10000*x^3*y^2+y^4-x^3", 592},
+      {"x^9-x^7*y+3*x^2*y^6-y^3+y^5+y^4*x-4*y^4*x^3", 770},
+      {"-1801/50+280*x-816*x^2+1056*x^3-512*x^4+1601/25*y-512*x*y+1536*x^2*y-2048*x^3*y+1024*x^4*y", 456},
+      {"601/9-872/3*x+544*x^2-512*x^3+256*x^4-2728/9*y+2384/3*x*y-768*x^2*y+5104/9*y^2-2432/"
+       "3*x*y^2+768*x^2*y^2-512*y^3+256*y^4",
+       454},
+      {"-13+32*x-288*x^2+512*x^3-256*x^4+64*y-112*y^2+256*x*y^2-256*x^2*y^2", 422},
+      {"-169/64+51/8*x-11*x^2+8*x^3+9*y-8*x*y-9*y^2+8*x*y^2", 804},
+      {"476/10-2208/10*x+4768/10*x^2-512*x^3+256*x^4-2208/10*y+512*x*y-512*x^2*y+4768/"
+       "10*y^2-512*x*y^2+512*x^2*y^2-512*y^3+256*y^4",
+       1080},
+      {"55/256-x+2*x^2-2*x^3+x^4-55/64*y+2*x*y-2*x^2*y+119/64*y^2-2*x*y^2+2*x^2*y^2-2*y^3+y^4", 772}};
+  for (const auto& [text, ideal] : examples) {
+    const auto f = parse_polynomial<2>(text, {"x", "y"});
+    const Grid<2> grid({Rational_interval(0, 1), Rational_interval(0, 1)}, {256, 256});
+    const auto raster = ideal_raster(f, grid, localize_fast(f, grid).cells);
+    EXPECT_EQ(raster.cells.unknown(), 0U) << text;
+    EXPECT_EQ(raster.cells.hit(), ideal) << text;
+  }
+}
+
+TEST(Ideal_raster, knows_the_ideal_rasters_of_the_surfaces_of_the_paper)
+{
+  const std::vector<Paper_example> examples = {
+      {"x+2*y+3*z-2", 1791},
+      {"100*x^2+100*y^2+100*z^2-81", 3944},
+      {"100*x^2+100*y^2-81", 3712},
+      {"100*x^2+100*y^2-81*z^2", 3152},
+      {"64-500*x^2+625*x^4-500*y^2+1250*x^2*y^2+625*y^4+400*z^2+1250*x^2*z^2+1250*y^2*z^2+625*z^4", 1840},
+      {"-459+15600*x-55000*x^2+90000*x^4-45000*y^2+180000*x^2*y^2+90000*y^4+12600*z^2+180000*x^2*z^2+180000*y^2*z^2+"
+       "90000*z^4",
+       2032},
+      {"16-32*x-25*x^2+50*x^3-25*y^2+50*x*y^2-25*z^2+50*x*z^2", 4852},
+      {"1296-3625*x^2+2500*x^4-3625*y^2+5000*x^2*y^2+2500*y^4-3625*z^2+5000*x^2*z^2+5000*y^2*z^2+2500*z^4", 6976},
+      {"-16*x^2+25*x^4+50*x^2*y^2+25*y^4+50*x^2*z^2+50*y^2*z^2+25*z^4", 1544},
+      {"-1+4*x-4*x^2+2*y^2-8*x*y^2+8*x^2*y^2+8*z^2", 3200}};
+  const Rational_interval side(-1, 1);
+  for (const auto& [text, ideal] : examples) {
+    const auto f = parse_polynomial<3>(text, {"x", "y", "z"});
+    const Grid<3> grid({side, side, side}, {32, 32, 32});
+    const auto raster = ideal_raster(f, grid, localize_fast(f, grid).cells);
+    EXPECT_EQ(raster.cells.unknown(), 0U) << text;
+    EXPECT_EQ(raster.cells.hit(), ideal) << text;
+  }
+}
+
+TEST(Ideal_raster, keeps_what_is_proved_when_stopped)
+{
+  const auto f = parse_polynomial<2>("x^2+y^2-2", {"x", "y"});
+  const Grid<2> grid(around, {64, 64});
+  int reports = 0;
+  Ideal_raster_options options;
+  options.progress = [&](std::uint64_t done, std::uint64_t total) {
+    EXPECT_LE(done, total);
+    return ++reports < 20;
+  };
+  const auto whole = ideal_raster(f, grid, all_cells<2>({64, 64})).cells;
+  const auto raster = ideal_raster(f, grid, all_cells<2>({64, 64}), options);
+  EXPECT_GT(raster.cells.unknown(), 0U);
+  EXPECT_EQ(raster.reasons.size(), 1U);
+  raster.cells.for_each([&](const Cell<2>& cell, Verdict verdict) {
+    if (verdict == Verdict::hit) {
+      EXPECT_EQ(whole.at(cell), Verdict::hit);
+    }
+  });
+  whole.for_each([&](const Cell<2>& cell, Verdict) { EXPECT_NE(raster.cells.at(cell), Verdict::empty); });
+}
+
+TEST(Ideal_raster, refuses_the_zero_polynomial)
+{
+  EXPECT_THROW((void)ideal_raster(Polynomial<Rational, 2>(), Grid<2>(around, {4, 4}), {}), Invalid_input);
 }
 
 } // namespace

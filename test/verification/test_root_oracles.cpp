@@ -5,10 +5,14 @@
 #include <corral/verification/real_roots.h>
 #include <corral/verification/root_oracles.h>
 
+#include <corral/verification/ideal_raster.h>
+
 #include <exact/Plane_system.h>
+#include <exact/Zero_set.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace {
@@ -100,6 +104,72 @@ TEST(Root_oracles, agree_on_common_zeros_in_the_plane)
         EXPECT_FALSE(system.zeros_in(around, true, false, {}).empty()) << curves[i] << " and " << curves[j];
       }
     }
+}
+
+/// Whether p has a root in a closed interval, by CGAL. \pre p is not zero.
+bool cgal_root_in(const Integer_polynomial& p, const Rational_interval& side)
+{
+  if (sign_at(p, side.lower()) == 0 || sign_at(p, side.upper()) == 0) return true;
+  if (degree(p) == 0) return false;
+  for (const auto& root : cgal_real_roots(p, tiny()))
+    if (side.lower() < root.interval.lower() && root.interval.upper() < side.upper()) return true;
+  return false;
+}
+
+/// A decision made of the oracles alone: a zero on an edge, or a point inside with a vertical tangent or a singularity.
+bool cgal_hit(const Polynomial<Integer, 2>& g, const std::vector<Rational_box<2>>& extremes,
+              const Rational_box<2>& cell)
+{
+  for (const std::size_t axis : {0U, 1U})
+    for (const auto& value : {cell[axis].lower(), cell[axis].upper()}) {
+      const auto edge = exact::restriction<2>(g, axis, value);
+      Integer_polynomial p(edge.degree(0) + 1U);
+      for (const auto& term : edge.terms()) p[term.exponents[0]] = term.coefficient;
+      trim(p);
+      if (p.empty() || cgal_root_in(p, cell[1 - axis])) return true;
+    }
+  return std::any_of(extremes.begin(), extremes.end(), [&](const Rational_box<2>& box) {
+    return cell[0].lower() < box[0].lower() && box[0].upper() < cell[0].upper() && cell[1].lower() < box[1].lower()
+           && box[1].upper() < cell[1].upper();
+  });
+}
+
+TEST(Root_oracles, agree_with_the_exact_decision_of_cells)
+{
+  std::vector<std::string> curves = {"(3*x-1)^2+(7*y-1)^2",
+                                     "x^2+y^2-2",
+                                     "((x^2-2)^2+(x*y-1)^2)*(x+3*y-1)",
+                                     "y^2-x^3+x^2",
+                                     "x^4+y^4-x^2*y",
+                                     "(x-1/3)^2+(y-1/5)^2-1/1000",
+                                     "y^4-2*y^2*x+x^2-x^4+1/9",
+                                     "x^3+y^3-3*x*y+1",
+                                     "(x^2+y^2)^3-4*x^2*y^2-1/100"};
+  std::mt19937_64 random(17);
+  for (unsigned round = 0; round < rounds(6); ++round) {
+    std::string text = "0";
+    for (unsigned i = 0; i <= 4; ++i)
+      for (unsigned j = 0; i + j <= 4; ++j)
+        text += "+(" + std::to_string(static_cast<int>(random() % 41) - 20) + ")*x^" + std::to_string(i) + "*y^"
+                + std::to_string(j);
+    curves.push_back(text);
+  }
+  const Rational_interval side(-2, 2);
+  const Grid<2> grid({side, side}, {7, 6});
+  for (const auto& text : curves) {
+    const auto f = parse_polynomial<2>(text, {"x", "y"});
+    Cell_decider<2> decider(f, grid, {}, Witnesses::simple);
+    const auto& g = decider.square_free();
+    const auto extremes = cgal_common_zeros(g, derivative(g, 1), tiny());
+    std::size_t hits = 0;
+    for (std::uint32_t i = 0; i < 7; ++i)
+      for (std::uint32_t j = 0; j < 6; ++j) {
+        const bool hit = decider.decide({i, j}).verdict == Verdict::hit;
+        EXPECT_EQ(hit, cgal_hit(g, extremes, grid.cell_box({i, j}))) << text << " in " << i << ", " << j;
+        hits += hit;
+      }
+    EXPECT_GT(hits, 0U) << text;
+  }
 }
 
 } // namespace

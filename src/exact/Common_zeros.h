@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CORRAL_EXACT_COMMON_ZEROS_H
+#define CORRAL_EXACT_COMMON_ZEROS_H
+
+#include "Bernstein_form.h"
+#include "Plane_system.h"
+#include "Zero_set.h"
+
+#include <corral/verification/Cell_decision.h>
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace corral::exact {
+
+/// \brief The common zeros of two polynomials, asked of closed boxes whether they meet them. Proof: doc/exact.md.
+template <std::size_t D>
+class Common_zeros
+{
+public:
+  /// Both polynomials may be zero.
+  Common_zeros(const Polynomial<Integer, D>& f, const Polynomial<Integer, D>& g, Checkpoint checkpoint,
+               Witnesses witnesses);
+
+  [[nodiscard]] Cell_decision<D> decide(const Rational_box<D>& box);
+
+private:
+  static constexpr std::size_t facet_dimension = D == 3 ? 2 : D; // no facets are asked in the plane
+
+  struct Piece
+  {
+    std::vector<Bernstein_form<D>> forms; ///< f, g and the minors of the Jacobian for each direction
+    std::array<Integer, D> index{};
+  };
+
+  [[nodiscard]] Cell_decision<D> decide_rest(const Rational_box<D>& box);
+  [[nodiscard]] std::optional<Cell_decision<D>> decide_section(std::size_t axis, const Rational& value,
+                                                               const Rational_box<D>& box);
+  [[nodiscard]] Cell_decision<D> decide_inside(const Rational_box<D>& box);
+
+  Checkpoint checkpoint_;
+  Witnesses witnesses_;
+  Polynomial<Integer, D> f_; ///< without the common factor
+  Polynomial<Integer, D> g_;
+  Polynomial<Integer, D> common_;
+  std::unique_ptr<Zero_set<D>> common_zeros_;  ///< of the common factor; empty if it is constant
+  std::unique_ptr<Plane_system> points_;       ///< D = 2
+  std::vector<Polynomial<Integer, D>> minors_; ///< D = 3: by direction; zero on the ends of curves in that direction
+  std::map<std::pair<std::size_t, Rational>, std::unique_ptr<Common_zeros<facet_dimension>>> sections_;
+};
+
+} // namespace corral::exact
+
+#endif
