@@ -120,9 +120,10 @@ void drop_twos(Bernstein_form<D>& form)
   for (Integer& c : form.values) mpz_tdiv_q_2exp(c.get_mpz_t(), c.get_mpz_t(), twos);
 }
 
-/// de Casteljau at 1/2 along one axis: `form` becomes the upper half, the lower half is returned.
+/// de Casteljau at 1/2 along one axis: `form` becomes the upper half, the lower half is returned. Both are multiplied
+/// by 2^n for the degree n along the axis.
 template <std::size_t D>
-[[nodiscard]] Bernstein_form<D> halve(Bernstein_form<D>& form, std::size_t axis)
+[[nodiscard]] Bernstein_form<D> halve_exactly(Bernstein_form<D>& form, std::size_t axis)
 {
   Bernstein_form<D> lower;
   lower.size = form.size;
@@ -137,6 +138,14 @@ template <std::size_t D>
       mpz_mul_2exp(c[(n - k) * stride].get_mpz_t(), c[(n - k) * stride].get_mpz_t(), n - k);
     }
   });
+  return lower;
+}
+
+/// The same up to a positive factor for each half, which keeps the numbers small.
+template <std::size_t D>
+[[nodiscard]] Bernstein_form<D> halve(Bernstein_form<D>& form, std::size_t axis)
+{
+  auto lower = halve_exactly(form, axis);
   drop_twos(lower);
   drop_twos(form);
   return lower;

@@ -8,6 +8,7 @@ target_sources(corral PRIVATE
   exact/Prime_field.cpp
   exact/Shadows.cpp
   exact/Zero_set.cpp
+  exact/exact_range.cpp
   exact/ideal_raster.cpp
   exact/ideal_system.cpp
   exact/real_roots.cpp)
