@@ -58,6 +58,7 @@ void row(const std::string& set, const std::string& method, std::uint32_t n, con
   ::benchmark::RegisterBenchmark((set + "/" + method + "/" + std::to_string(n)).c_str(),
                                  [=](State& state) { function(state); })
       ->Unit(::benchmark::kMillisecond)
+      ->MeasureProcessCPUTime()
       ->UseRealTime();
 }
 

@@ -45,9 +45,8 @@ Plan<D>::Plan(const Polynomial<Rational, D>& f, const Grid<D>& grid)
 {
   halves.resize(shape.degree() + std::size_t{1});
   for (std::size_t d = 0; d < halves.size(); ++d) halves[d] = std::ldexp(1.0, -static_cast<int>(d));
-  constexpr int share = D == 2 ? 13 : 9; // of the change over one cell; smaller shares cost time, larger ones cells
   for (unsigned level = 0; level <= root_level; ++level)
-    drop_share.push_back(std::ldexp(1.0, -share - static_cast<int>(level)));
+    cell_share.push_back(std::ldexp(1.0, -static_cast<int>(level)));
   const int degree = static_cast<int>(shape.degree());
   for (int depth = 0; depth <= static_cast<int>(root_level); ++depth)
     exact_below.push_back(std::ldexp(root.quantum, 52 - depth * degree));

@@ -61,7 +61,7 @@ struct Plan
   Rounding rounding;
   Root_form root;
   std::vector<double> halves;      ///< halves[d] = 2^-d
-  std::vector<double> drop_share;  ///< by level: what terms may be dropped, relative to the gradient
+  std::vector<double> cell_share;                  ///< by level: the width of a cell, relative to the node
   std::vector<double> exact_below; ///< by tree depth: forms of at most this norm are split into that depth exactly
   double exact_corner; ///< leaf forms of at most this norm are evaluated exactly at the corners of the cells
   double exact_probe;  ///< the same for the points of the finest lattice in a cell

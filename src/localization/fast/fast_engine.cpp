@@ -38,6 +38,11 @@ struct Pool
   }
 };
 
+/// How large dropped terms may be, beside the change over one cell; smaller shares cost time, larger ones cells.
+template <std::size_t D>
+inline constexpr double share_of_high_degrees = D == 2 ? 0x1p-13 : 0x1p-8;
+inline constexpr double share_of_squares = 0x1p-13;
+
 /// \brief One worker: subdivides batches of eight nodes, deepest full batch first.
 template <std::size_t D>
 class Worker
@@ -240,14 +245,16 @@ std::size_t Worker<D>::drop(unsigned level, std::size_t k, unsigned kept)
   Octet gradient = sum(1);
   for (unsigned d = 2; d <= classes[k].degree; ++d) gradient = gradient - sum(d) * set(d);
   const Octet remainder = load(child_remainder_);
-  const Octet small = max(gradient * set(plan_.drop_share[level]), remainder * set(0.125));
+  const Octet room = gradient * set(plan_.cell_share[level]);
+  const Octet noise = remainder * set(0.125);
   Octet lost = set(0);
   std::size_t target = k;
   for (; target + 1 < cuts_; ++target) {
     Octet more = set(0);
     for (unsigned d = classes[target].degree; d > classes[target + 1].degree; --d) more = more + sum(d);
     more = more * set(r.sum);
-    if ((kept & ~at_most(more, small)) != 0) break;
+    const Octet share = set(classes[target + 1].degree > 1 ? share_of_high_degrees<D> : share_of_squares);
+    if ((kept & ~at_most(more, max(room * share, noise))) != 0) break;
     lost = lost + more;
   }
   if (target != k && r.keep_dropped) store((remainder + lost * set(r.sum)) * set(r.step), child_remainder_);
