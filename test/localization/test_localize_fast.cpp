@@ -89,7 +89,8 @@ Cell_set<D> run(const fast::Plan<D>& plan)
 {
   const auto root = fast::root_seed(plan);
   fast::Harvest<D> harvest;
-  fast::subdivide_seeds(plan, plan.root_level, &root, 1, 0, harvest);
+  const fast::Task whole{0, 1};
+  fast::subdivide_tasks(plan, plan.root_level, &root, &whole, 1, 0, harvest);
   Cell_set<D> cells;
   cells.append(std::move(harvest.blocks));
   cells.finish();

@@ -43,14 +43,14 @@ Plan<D>::Plan(const Polynomial<Rational, D>& f, const Grid<D>& grid)
       leaf_level(std::min(root_level, static_cast<unsigned>(std::countr_zero(block_side<D>)))),
       rounding(proved_rounding(D, shape.degree())), root(root_form(f, shape, grid, cells_log2))
 {
-  halves.resize(shape.degree() + std::size_t{1});
-  for (std::size_t d = 0; d < halves.size(); ++d) halves[d] = std::ldexp(1.0, -static_cast<int>(d));
+  power_of_half.resize(shape.degree() + std::size_t{1});
+  for (std::size_t d = 0; d < power_of_half.size(); ++d) power_of_half[d] = std::ldexp(1.0, -static_cast<int>(d));
   for (unsigned level = 0; level <= root_level; ++level)
     cell_share.push_back(std::ldexp(1.0, -static_cast<int>(level)));
   const int degree = static_cast<int>(shape.degree());
   for (int depth = 0; depth <= static_cast<int>(root_level); ++depth)
     exact_below.push_back(std::ldexp(root.quantum, 52 - depth * degree));
-  const int corner_bits = std::countr_zero(block_side<D>) - 1; // coordinates of corners are multiples of 2^-corner_bits
+  constexpr int corner_bits = 2; // a leaf has at most 8 cells a side: coordinates of corners are multiples of 2^-2
   const int probe_bits = corner_bits + 1 + std::countr_zero(probe_pieces);
   const double leaf_limit = exact_below[root_level - leaf_level];
   exact_corner = std::ldexp(leaf_limit, -degree * corner_bits);
@@ -61,10 +61,17 @@ Plan<D>::Plan(const Polynomial<Rational, D>& f, const Grid<D>& grid)
     for (std::size_t k = 1; k < shape.size(); ++k)
       if (const double e = shape.exponents()[k][axis]; e > 0 && k != linear[axis])
         weights[axis].push_back({static_cast<std::uint32_t>(k), e, e * (e - 1)});
-    leaf_cells[axis] = tree.span(leaf_level, axis);
+    const bool doubled = leaf_blocks == 2 && axis == 0 && root_level > leaf_level;
+    leaf_cells[axis] = tree.span(leaf_level + (doubled ? 1 : 0), axis);
     for (std::size_t line = 0; line < lattice[axis].size(); ++line)
       lattice[axis][line] = std::min(1.0, -1.0 + 2.0 * static_cast<double>(line) / leaf_cells[axis]);
     sag[axis] = 0.5 / (leaf_cells[axis] * leaf_cells[axis]);
+  }
+  for (const auto& exponents : shape.exponents()) {
+    int halvings = 0;
+    for (std::size_t axis = 0; axis < D; ++axis)
+      if (halves(leaf_level + 1, axis)) halvings += exponents[axis];
+    leaf_scale.push_back(std::ldexp(1.0, -halvings));
   }
   constexpr std::size_t corners = block_side<D> + 1;
   for (std::size_t row = 0; row < padded_rows; ++row) {

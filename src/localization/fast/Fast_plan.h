@@ -49,7 +49,16 @@ struct Plan
   /// An undecided cell is looked at on lattices of 2, 4, ... up to this number of pieces a side.
   static constexpr unsigned probe_pieces = D == 2 ? 4 : 2;
 
+  /// Blocks in a leaf: in space two of them lie side by side along axis 0, so that all lanes have work.
+  static constexpr std::size_t leaf_blocks = D == 2 ? 1 : 2;
+
   Plan(const Polynomial<Rational, D>& f, const Grid<D>& grid);
+
+  /// Whether the children of a node of this level halve `axis`.
+  [[nodiscard]] bool halves(unsigned level, std::size_t axis) const
+  {
+    return tree.halves(level, axis) && (leaf_blocks == 1 || axis != 0 || level != leaf_level + 1);
+  }
 
   Monomial_shape<D> shape;
   Subdivision_tree<D> tree;
@@ -60,9 +69,10 @@ struct Plan
   std::uint64_t cell_budget = std::numeric_limits<std::uint64_t>::max(); ///< most plotted cells of one worker
   Rounding rounding;
   Root_form root;
-  std::vector<double> halves;      ///< halves[d] = 2^-d
-  std::vector<double> cell_share;                  ///< by level: the width of a cell, relative to the node
-  std::vector<double> exact_below; ///< by tree depth: forms of at most this norm are split into that depth exactly
+  std::vector<double> power_of_half; ///< power_of_half[d] = 2^-d
+  std::vector<double> leaf_scale;    ///< by position: the scale of the split that makes leaves
+  std::vector<double> cell_share;    ///< by level: the width of a cell, relative to the node
+  std::vector<double> exact_below;   ///< by tree depth: forms of at most this norm are split into that depth exactly
   double exact_corner; ///< leaf forms of at most this norm are evaluated exactly at the corners of the cells
   double exact_probe;  ///< the same for the points of the finest lattice in a cell
   std::array<std::vector<Weight>, D> weights;                        ///< by position, without 1 and x_axis
@@ -82,6 +92,13 @@ struct Seed
   std::vector<double> rows;
 };
 
+/// Up to eight seeds of one class, subdivided together. Tasks depend on the input alone, and so does the result.
+struct Task
+{
+  std::size_t first;
+  std::size_t count;
+};
+
 /// What a worker found.
 template <std::size_t D>
 struct Harvest
@@ -98,12 +115,12 @@ template <std::size_t D>
 /// \throw Budget_exceeded always.
 [[noreturn]] void throw_over_budget(std::uint64_t budget);
 
-/// \brief Subdivides the seeds, all of level `level`, down to `stop_level`, or down to the leaves if that is 0.
-/// \pre level == plan.root_level for the root seed alone; else level > plan.leaf_level.
-/// \throw Budget_exceeded if more blocks than `plan.cell_budget` have plotted cells.
+/// \brief Subdivides the seeds of some tasks, all of level `level`, down to `stop_level`, or down to the leaves if that
+/// is 0. \pre level == plan.root_level for the root seed alone; else level > plan.leaf_level. \throw Budget_exceeded if
+/// more blocks than `plan.cell_budget` have plotted cells.
 template <std::size_t D>
-void subdivide_seeds(const Plan<D>& plan, unsigned level, const Seed<D>* seeds, std::size_t count, unsigned stop_level,
-                     Harvest<D>& harvest);
+void subdivide_tasks(const Plan<D>& plan, unsigned level, const Seed<D>* seeds, const Task* tasks, std::size_t count,
+                     unsigned stop_level, Harvest<D>& harvest);
 
 extern template struct Plan<2>;
 extern template struct Plan<3>;

@@ -61,6 +61,7 @@ public:
     by_degree_ = powers_ + powers;
   }
 
+  /// Subdivides the seeds of one task. The worker keeps nothing of it but memory.
   void run(unsigned level, const Seed<D>* seeds, std::size_t count);
 
 private:
@@ -151,20 +152,25 @@ void Worker<D>::take(const Pool<D>& from, unsigned level, std::size_t k)
   for (std::size_t axis = 0; axis < D; ++axis) store(row(2 + axis), corner_[axis]);
   unsigned halved = 0;
   for (std::size_t axis = 0; axis < D; ++axis)
-    if (plan_.tree.halves(level, axis)) halved |= 1U << axis;
+    if (plan_.halves(level, axis)) halved |= 1U << axis;
   if (halved + 1 == 1U << D) {
     std::size_t i = 0;
     for (unsigned d = 0; d <= cut(k).degree; ++d) {
-      const Octet scale = set(plan_.halves[d]);
+      const Octet scale = set(plan_.power_of_half[d]);
       for (; i < plan_.shape.degree_end(d); ++i) store(row(header + i) * scale, stage_[0] + i * batch);
     }
+    return;
+  }
+  if (level == plan_.leaf_level + 1) {
+    for (std::size_t i = 0; i < cut(k).size; ++i)
+      store(row(header + i) * set(plan_.leaf_scale[i]), stage_[0] + i * batch);
     return;
   }
   for (std::size_t i = 0; i < cut(k).size; ++i) {
     unsigned exponent = 0;
     for (std::size_t axis = 0; axis < D; ++axis)
       if ((halved >> axis & 1) != 0) exponent += plan_.shape.exponents()[i][axis];
-    store(row(header + i) * set(plan_.halves[exponent]), stage_[0] + i * batch);
+    store(row(header + i) * set(plan_.power_of_half[exponent]), stage_[0] + i * batch);
   }
 }
 
@@ -175,7 +181,7 @@ void Worker<D>::children(unsigned level, std::size_t k, const double* from)
   if constexpr (axis == D) {
     admit(level, k, from);
   } else {
-    if (!plan_.tree.halves(level + 1, axis)) return children<axis + 1>(level, k, from);
+    if (!plan_.halves(level + 1, axis)) return children<axis + 1>(level, k, from);
     double* const to = stage_[axis + 1];
     shift_lines<false>(cut(k).lines[axis], from, to);
     children<axis + 1>(level, k, to);
@@ -353,18 +359,21 @@ void Worker<D>::decide_leaf(std::size_t k, const double* c, std::size_t lane)
 {
   const Thresholds thresholds{threshold_[0][lane], threshold_[1][lane], threshold_[2][lane], threshold_[3][lane]};
   const Leaf_block<D> block(plan_, cut(k), c + lane, thresholds, powers_);
-  Leaf_masks masks = block.decide();
-  if (masks.empty == ~std::uint64_t{0}) return;
+  auto masks = block.decide();
   std::array<std::uint32_t, D> corner;
   for (std::size_t axis = 0; axis < D; ++axis) corner[axis] = static_cast<std::uint32_t>(corner_[axis][lane]);
-  const std::uint64_t cells = inside(corner);
-  const std::uint64_t unknown = cells & ~masks.empty & ~masks.hit;
   const bool hopeless = child_norm_[lane] < 64 * thresholds.sign; // rounding errors hide everything
-  if (unknown != 0 && !hopeless) block.probe(unknown, masks);
-  const std::uint64_t plotted = cells & ~masks.empty;
-  if (plotted == 0) return;
-  for (auto& index : corner) index /= block_side<D>;
-  harvest_.blocks.push_back({corner, plotted, masks.hit & plotted});
+  for (std::size_t b = 0; b < Plan<D>::leaf_blocks; ++b, corner[0] += block_side<D>) {
+    if (masks.empty[b] == ~std::uint64_t{0} || corner[0] >= plan_.resolution[0]) continue;
+    const std::uint64_t cells = inside(corner);
+    const std::uint64_t unknown = cells & ~masks.empty[b] & ~masks.hit[b];
+    if (unknown != 0 && !hopeless) block.probe(b, unknown, masks);
+    const std::uint64_t plotted = cells & ~masks.empty[b];
+    if (plotted == 0) continue;
+    auto index = corner;
+    for (auto& i : index) i /= block_side<D>;
+    harvest_.blocks.push_back({index, plotted, masks.hit[b] & plotted});
+  }
 }
 
 /// The cells of a leaf block that belong to the grid.
@@ -391,6 +400,14 @@ std::uint64_t Worker<D>::inside(const std::array<std::uint32_t, D>& corner) cons
 template <std::size_t D>
 void Worker<D>::run(unsigned level, const Seed<D>* seeds, std::size_t count)
 {
+  if (level == plan_.leaf_level) { // the whole grid is one leaf
+    const auto& rows = seeds[0].rows;
+    for (std::size_t i = 0; i < cut(0).size; ++i) store(set(rows[header + i]), stage_[0] + i * batch);
+    store(set(rows[0]), remainder_);
+    for (std::size_t axis = 0; axis < D; ++axis) store(set(0), corner_[axis]);
+    valid_ = 1;
+    return admit(level, 0, stage_[0]);
+  }
   for (std::size_t s = 0; s < count; ++s) {
     const std::size_t k = seeds[s].cut;
     Pool<D>& to = pool(level, k);
@@ -399,28 +416,28 @@ void Worker<D>::run(unsigned level, const Seed<D>* seeds, std::size_t count)
     ++to.count;
   }
   level_count_[level] = count;
-  if (level == plan_.leaf_level) { // the whole grid is one block
-    const auto& rows = seeds[0].rows;
-    for (std::size_t i = 0; i < cut(0).size; ++i) store(set(rows[header + i]), stage_[0] + i * batch);
-    store(set(rows[0]), remainder_);
-    for (std::size_t axis = 0; axis < D; ++axis) store(set(0), corner_[axis]);
-    valid_ = 1;
-    return admit(level, 0, stage_[0]);
-  }
   std::size_t k = 0;
   while (next(level, k)) split(level, k);
 }
 
-void subdivide_2(const Plan<2>& plan, unsigned level, const Seed<2>* seeds, std::size_t count, unsigned stop_level,
-                 Harvest<2>& harvest)
+template <std::size_t D>
+void run_tasks(const Plan<D>& plan, unsigned level, const Seed<D>* seeds, const Task* tasks, std::size_t count,
+               unsigned stop_level, Harvest<D>& harvest)
 {
-  Worker<2>(plan, stop_level, harvest).run(level, seeds, count);
+  Worker<D> worker(plan, stop_level, harvest);
+  for (std::size_t t = 0; t < count; ++t) worker.run(level, seeds + tasks[t].first, tasks[t].count);
 }
 
-void subdivide_3(const Plan<3>& plan, unsigned level, const Seed<3>* seeds, std::size_t count, unsigned stop_level,
-                 Harvest<3>& harvest)
+void run_tasks_2(const Plan<2>& plan, unsigned level, const Seed<2>* seeds, const Task* tasks, std::size_t count,
+                 unsigned stop_level, Harvest<2>& harvest)
 {
-  Worker<3>(plan, stop_level, harvest).run(level, seeds, count);
+  run_tasks(plan, level, seeds, tasks, count, stop_level, harvest);
+}
+
+void run_tasks_3(const Plan<3>& plan, unsigned level, const Seed<3>* seeds, const Task* tasks, std::size_t count,
+                 unsigned stop_level, Harvest<3>& harvest)
+{
+  run_tasks(plan, level, seeds, tasks, count, stop_level, harvest);
 }
 
 } // namespace corral::fast::HWY_NAMESPACE
@@ -429,21 +446,21 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace corral::fast {
 
-HWY_EXPORT(subdivide_2);
-HWY_EXPORT(subdivide_3);
+HWY_EXPORT(run_tasks_2);
+HWY_EXPORT(run_tasks_3);
 
 template <>
-void subdivide_seeds<2>(const Plan<2>& plan, unsigned level, const Seed<2>* seeds, std::size_t count,
+void subdivide_tasks<2>(const Plan<2>& plan, unsigned level, const Seed<2>* seeds, const Task* tasks, std::size_t count,
                         unsigned stop_level, Harvest<2>& harvest)
 {
-  HWY_DYNAMIC_DISPATCH(subdivide_2)(plan, level, seeds, count, stop_level, harvest);
+  HWY_DYNAMIC_DISPATCH(run_tasks_2)(plan, level, seeds, tasks, count, stop_level, harvest);
 }
 
 template <>
-void subdivide_seeds<3>(const Plan<3>& plan, unsigned level, const Seed<3>* seeds, std::size_t count,
+void subdivide_tasks<3>(const Plan<3>& plan, unsigned level, const Seed<3>* seeds, const Task* tasks, std::size_t count,
                         unsigned stop_level, Harvest<3>& harvest)
 {
-  HWY_DYNAMIC_DISPATCH(subdivide_3)(plan, level, seeds, count, stop_level, harvest);
+  HWY_DYNAMIC_DISPATCH(run_tasks_3)(plan, level, seeds, tasks, count, stop_level, harvest);
 }
 
 } // namespace corral::fast

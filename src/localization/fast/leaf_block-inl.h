@@ -28,14 +28,16 @@ struct Thresholds
   double probe;    ///< the sign of f at a point of the finer lattice in a cell
 };
 
-/// Verdicts on the cells of a block: empty, hit, or neither.
+/// Verdicts on the cells of the blocks of a leaf: empty, hit, or neither.
+template <std::size_t D>
 struct Leaf_masks
 {
-  std::uint64_t empty = 0;
-  std::uint64_t hit = 0;
+  using Words = std::array<std::uint64_t, Plan<D>::leaf_blocks>;
+  Words empty;
+  Words hit;
 };
 
-/// \brief One lane of a batch of forms, evaluated at the corners of the cells of its block.
+/// \brief One lane of a batch of forms, evaluated at the corners of the cells of its leaf: 8 x 8 or 8 x 4 x 4 cells.
 ///
 /// Lanes run along axis 0. The corners along the other axes are the *rows*: 9 of them in the plane, 25 in space; facts
 /// about corners are collected in one word a lane with one bit a row.
@@ -43,7 +45,8 @@ template <std::size_t D>
 class Leaf_block
 {
 public:
-  static constexpr std::size_t side = block_side<D>;
+  using Masks = Leaf_masks<D>;
+  using Words = typename Masks::Words;
   static constexpr std::size_t rows = D == 2 ? 9 : 25;
   static constexpr std::size_t padded_rows = Plan<D>::padded_rows;
 
@@ -54,16 +57,17 @@ public:
   {}
 
   /// The verdicts that the corners of the cells give.
-  [[nodiscard]] Leaf_masks decide() const;
+  [[nodiscard]] Masks decide() const;
 
-  /// Looks at a finer lattice in each cell of `unknown` and adds what it shows to `masks`.
-  void probe(std::uint64_t unknown, Leaf_masks& masks) const;
+  /// Looks at a finer lattice in each cell of `unknown`, a set of cells of one block, and adds what it shows to
+  /// `masks`.
+  void probe(std::size_t block, std::uint64_t unknown, Masks& masks) const;
 
 private:
   /// Whether f may have its extremes in a cell elsewhere than at the corners.
   [[nodiscard]] bool bent() const { return std::max(t_.positive, t_.negative) > std::max(t_.sign, least_positive); }
 
-  /// Facts about corners; `last` is the word of the last corner of axis 0 in the plane.
+  /// Facts about corners; `last` is the word of the ninth corner along axis 0.
   struct Facts
   {
     Bits words;
@@ -102,12 +106,12 @@ private:
   template <bool bent, std::size_t degree>
   [[nodiscard]] HWY_INLINE Corner_facts look() const;
   template <bool bent, std::size_t degree>
-  [[nodiscard]] Leaf_masks decide_as() const;
+  [[nodiscard]] Masks decide_as() const;
   template <bool bent>
-  [[nodiscard]] Leaf_masks decide_by_degree() const;
+  [[nodiscard]] Masks decide_by_degree() const;
   template <class Combine>
   [[nodiscard]] static HWY_INLINE Bits cells(const Facts& facts, const Combine& combine);
-  [[nodiscard]] static HWY_INLINE std::uint64_t mask(const Bits& cells);
+  [[nodiscard]] static HWY_INLINE Words mask(const Bits& cells);
   [[nodiscard]] unsigned probe_cells(const std::array<Octet, D>& centre, unsigned lanes, unsigned pieces,
                                      unsigned& hit) const;
 
@@ -150,18 +154,17 @@ HWY_INLINE auto Leaf_block<D>::look() const -> Corner_facts
       mark_at_most(facts.negative.words, value, minus[1], bit);
     }
   }
-  if constexpr (D == 2)
-    for (std::size_t first = 0; first < rows; first += batch) {
-      const Octet last = set(plan_.lattice[0][side]);
-      Octet value = load(powers_ + top * padded_rows + first);
-      for (std::size_t i = top; i-- > 0;) value = value * last + load(powers_ + i * padded_rows + first);
-      facts.not_negative.last |= std::uint64_t{at_most(plus[0], value)} << first;
-      facts.not_positive.last |= std::uint64_t{at_most(value, minus[0])} << first;
-      if constexpr (bent) {
-        facts.positive.last |= std::uint64_t{at_most(plus[1], value)} << first;
-        facts.negative.last |= std::uint64_t{at_most(value, minus[1])} << first;
-      }
+  const Octet last = set(plan_.lattice[0][batch]);
+  for (std::size_t first = 0; first < rows; first += batch) {
+    Octet value = load(powers_ + top * padded_rows + first);
+    for (std::size_t i = top; i-- > 0;) value = value * last + load(powers_ + i * padded_rows + first);
+    facts.not_negative.last |= std::uint64_t{at_most(plus[0], value)} << first;
+    facts.not_positive.last |= std::uint64_t{at_most(value, minus[0])} << first;
+    if constexpr (bent) {
+      facts.positive.last |= std::uint64_t{at_most(plus[1], value)} << first;
+      facts.negative.last |= std::uint64_t{at_most(value, minus[1])} << first;
     }
+  }
   return facts;
 }
 
@@ -171,38 +174,45 @@ template <class Combine>
 HWY_INLINE Bits Leaf_block<D>::cells(const Facts& facts, const Combine& combine)
 {
   Bits edges = combine(facts.words, shift_down<1>(facts.words));
-  if constexpr (D == 3) edges = combine(edges, shift_down<5>(edges));
-  const std::uint64_t next = facts.last >> 1;
-  return combine(edges, next_lane(edges, combine(facts.last, next)));
+  std::uint64_t last = combine(facts.last, std::uint64_t{facts.last >> 1});
+  if constexpr (D == 3) {
+    edges = combine(edges, shift_down<5>(edges));
+    last = combine(last, std::uint64_t{last >> 5});
+  }
+  return combine(edges, next_lane(edges, last));
 }
 
 template <std::size_t D>
-HWY_INLINE std::uint64_t Leaf_block<D>::mask(const Bits& cells)
+HWY_INLINE auto Leaf_block<D>::mask(const Bits& cells) -> Words
 {
   if constexpr (D == 2) {
-    return pack<std::uint8_t>(keep(cells, 0xff));
+    return pack<std::uint8_t, 1>(keep(cells, 0xff));
   } else { // 4 x 4 bits of the 5 x 5 corners
-    return pack<std::uint16_t>(keep(cells, 0xf) | keep(shift_down<1>(cells), 0xf0) | keep(shift_down<2>(cells), 0xf00)
-                               | keep(shift_down<3>(cells), 0xf000));
+    return pack<std::uint16_t, 2>(keep(cells, 0xf) | keep(shift_down<1>(cells), 0xf0)
+                                  | keep(shift_down<2>(cells), 0xf00) | keep(shift_down<3>(cells), 0xf000));
   }
 }
 
 template <std::size_t D>
 template <bool bent, std::size_t degree>
-Leaf_masks Leaf_block<D>::decide_as() const
+auto Leaf_block<D>::decide_as() const -> Masks
 {
   const auto all = [](const auto& a, const auto& b) HWY_ATTR { return a & b; };
   const auto any = [](const auto& a, const auto& b) HWY_ATTR { return a | b; };
   const Corner_facts facts = look<bent, degree>();
-  const std::uint64_t hit = mask(cells(facts.not_negative, any) & cells(facts.not_positive, any));
+  const Words hit = mask(cells(facts.not_negative, any) & cells(facts.not_positive, any));
   if constexpr (bent) return {mask(cells(facts.positive, all) | cells(facts.negative, all)), hit};
-  if (t_.sign == 0) return {~hit, hit}; // nothing is rounded: every corner has its sign, and f its extremes at corners
+  if (t_.sign == 0) { // nothing is rounded: every corner has its sign, and f its extremes at corners
+    Words empty = hit;
+    for (auto& word : empty) word = ~word;
+    return {empty, hit};
+  }
   return {mask(cells(facts.not_negative, all) | cells(facts.not_positive, all)), hit};
 }
 
 template <std::size_t D>
 template <bool bent>
-Leaf_masks Leaf_block<D>::decide_by_degree() const
+auto Leaf_block<D>::decide_by_degree() const -> Masks
 {
   switch (slab_.size() - 2) {
   case 1:
@@ -219,7 +229,7 @@ Leaf_masks Leaf_block<D>::decide_by_degree() const
 }
 
 template <std::size_t D>
-Leaf_masks Leaf_block<D>::decide() const
+auto Leaf_block<D>::decide() const -> Masks
 {
   return bent() ? decide_by_degree<true>() : decide_by_degree<false>();
 }
@@ -260,7 +270,7 @@ unsigned Leaf_block<D>::probe_cells(const std::array<Octet, D>& centre, unsigned
 }
 
 template <std::size_t D>
-void Leaf_block<D>::probe(std::uint64_t unknown, Leaf_masks& masks) const
+void Leaf_block<D>::probe(std::size_t block, std::uint64_t unknown, Masks& masks) const
 {
   while (unknown != 0) {
     alignas(64) double coordinate[D][batch] = {};
@@ -268,7 +278,8 @@ void Leaf_block<D>::probe(std::uint64_t unknown, Leaf_masks& masks) const
     unsigned lanes = 0;
     for (std::size_t lane = 0; lane < batch && unknown != 0; ++lane, unknown &= unknown - 1) {
       bits[lane] = static_cast<unsigned>(std::countr_zero(unknown));
-      const auto cell = cell_of<D>({}, bits[lane]);
+      auto cell = cell_of<D>({}, bits[lane]);
+      cell[0] += static_cast<std::uint32_t>(block) * block_side<D>;
       for (std::size_t axis = 0; axis < D; ++axis)
         coordinate[axis][lane] = (2.0 * cell[axis] + 1) / plan_.leaf_cells[axis] - 1;
       lanes |= 1U << lane;
@@ -280,8 +291,8 @@ void Leaf_block<D>::probe(std::uint64_t unknown, Leaf_masks& masks) const
     for (unsigned pieces = 2; pieces <= Plan<D>::probe_pieces && (lanes & ~(hit | empty)) != 0; pieces *= 2)
       empty |= probe_cells(centre, lanes & ~(hit | empty), pieces, hit);
     for (std::size_t lane = 0; lane < batch; ++lane) {
-      if ((empty >> lane & 1) != 0) masks.empty |= std::uint64_t{1} << bits[lane];
-      if ((hit >> lane & 1) != 0) masks.hit |= std::uint64_t{1} << bits[lane];
+      if ((empty >> lane & 1) != 0) masks.empty[block] |= std::uint64_t{1} << bits[lane];
+      if ((hit >> lane & 1) != 0) masks.hit[block] |= std::uint64_t{1} << bits[lane];
     }
   }
 }

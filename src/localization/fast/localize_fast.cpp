@@ -6,6 +6,7 @@
 #include <corral/errors.h>
 #include <corral/number/Environment.h>
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -18,18 +19,11 @@
 namespace corral {
 namespace {
 
-/// Up to eight nodes of one class: what one task subdivides. It depends on the input alone, and so does the result.
-struct Task
-{
-  std::size_t first;
-  std::size_t count;
-};
-
 template <std::size_t D>
-std::vector<Task> group(const std::vector<fast::Seed<D>>& seeds)
+std::vector<fast::Task> group(const std::vector<fast::Seed<D>>& seeds)
 {
   constexpr std::size_t most = 8;
-  std::vector<Task> tasks;
+  std::vector<fast::Task> tasks;
   for (std::size_t s = 0; s < seeds.size(); ++s)
     if (!tasks.empty() && tasks.back().count < most && seeds[s].cut == seeds[tasks.back().first].cut)
       ++tasks.back().count;
@@ -54,53 +48,63 @@ class Runner
 public:
   Runner(const fast::Plan<D>& plan, const Fast_options& options) : plan_(plan), options_(options) {}
 
-  std::vector<fast::Harvest<D>> run()
+  Fast_localization<D> run()
   {
     const Nearest_scope environment;
     const fast::Seed<D> root = fast::root_seed(plan_);
+    const fast::Task whole{0, 1};
     const unsigned level = task_level(plan_);
-    std::vector<fast::Harvest<D>> harvests(1);
-    fast::subdivide_seeds(plan_, plan_.root_level, &root, 1, level, harvests[0]);
-    auto seeds = std::move(harvests[0].seeds);
-    std::stable_sort(seeds.begin(), seeds.end(), [](const auto& a, const auto& b) { return a.cut < b.cut; });
-    const auto tasks = group(seeds);
-    harvests.resize(tasks.size() + 1);
-    for_each_task(tasks.size(), [&](std::size_t t) {
-      const Nearest_scope worker_environment;
-      fast::subdivide_seeds(plan_, level, seeds.data() + tasks[t].first, tasks[t].count, 0, harvests[t + 1]);
-      report(harvests[t + 1], tasks.size());
-    });
-    return harvests;
+    fast::Harvest<D> harvest;
+    fast::subdivide_tasks(plan_, plan_.root_level, &root, &whole, 1, level, harvest);
+    seeds_ = std::move(harvest.seeds);
+    std::stable_sort(seeds_.begin(), seeds_.end(), [](const auto& a, const auto& b) { return a.cut < b.cut; });
+    tasks_ = group(seeds_);
+    collect(std::move(harvest), 0);
+    run_tasks(level);
+    return std::move(result_);
   }
 
 private:
-  template <class Function>
-  void for_each_task(std::size_t count, const Function& function)
+  void run_tasks(unsigned level)
   {
-    if (options_.threads == 1 || count < 2) {
-      for (std::size_t t = 0; t < count; ++t) function(t);
+    const auto some = [&](std::size_t first, std::size_t last) {
+      const Nearest_scope environment;
+      fast::Harvest<D> harvest;
+      fast::subdivide_tasks(plan_, level, seeds_.data(), tasks_.data() + first, last - first, 0, harvest);
+      collect(std::move(harvest), last - first);
+    };
+    const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
+    const unsigned threads = options_.threads == 0 ? processors : std::min(options_.threads, processors);
+    if (tasks_.empty()) return;
+    if (threads == 1 && !options_.progress) return some(0, tasks_.size());
+    if (threads == 1) {
+      for (std::size_t t = 0; t < tasks_.size(); ++t) some(t, t + 1);
       return;
     }
-    const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
-    tbb::task_arena arena(
-        static_cast<int>(options_.threads == 0 ? processors : std::min(options_.threads, processors)));
-    arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, function); });
+    tbb::task_arena arena(static_cast<int>(threads));
+    arena.execute([&] {
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tasks_.size()),
+                        [&](const auto& range) { some(range.begin(), range.end()); });
+    });
   }
 
-  void report(const fast::Harvest<D>& harvest, std::size_t tasks)
+  void collect(fast::Harvest<D>&& harvest, std::size_t tasks)
   {
     const std::scoped_lock lock(mutex_);
-    blocks_ += harvest.blocks.size();
-    if (blocks_ > options_.cell_budget) fast::throw_over_budget(options_.cell_budget);
-    ++done_;
-    if (options_.progress && !options_.progress(static_cast<double>(done_) / static_cast<double>(tasks)))
-      throw Cancelled("localize_fast: cancelled by the caller");
+    result_.nodes += harvest.nodes;
+    result_.cells.append(std::move(harvest.blocks));
+    if (result_.cells.blocks().size() > options_.cell_budget) fast::throw_over_budget(options_.cell_budget);
+    done_ += tasks;
+    const double part = tasks_.empty() ? 1 : static_cast<double>(done_) / static_cast<double>(tasks_.size());
+    if (options_.progress && !options_.progress(part)) throw Cancelled("localize_fast: cancelled by the caller");
   }
 
   const fast::Plan<D>& plan_;
   const Fast_options& options_;
-  std::mutex mutex_;
-  std::size_t blocks_ = 0;
+  std::vector<fast::Seed<D>> seeds_;
+  std::vector<fast::Task> tasks_;
+  std::mutex mutex_; // guards what follows
+  Fast_localization<D> result_;
   std::size_t done_ = 0;
 };
 
@@ -127,13 +131,7 @@ Fast_localization<D> localize_fast(const Polynomial<Rational, D>& f, const Grid<
   if (f.is_zero()) throw Invalid_input("localize_fast: the polynomial is zero; expected one that is not");
   fast::Plan<D> plan(f, grid);
   plan.cell_budget = options.cell_budget;
-  auto harvests = Runner<D>(plan, options).run();
-  Fast_localization<D> result;
-  for (auto& harvest : harvests) {
-    result.nodes += harvest.nodes;
-    result.cells.append(std::move(harvest.blocks));
-    harvest.blocks = {};
-  }
+  auto result = Runner<D>(plan, options).run();
   result.cells.finish();
   if (options.cell_budget < std::numeric_limits<std::uint64_t>::max() && result.cells.plotted() > options.cell_budget)
     fast::throw_over_budget(options.cell_budget);

@@ -175,17 +175,18 @@ HWY_INLINE Bits next_lane(const Bits& a, std::uint64_t last)
   });
 }
 
-/// The lowest bits of each lane side by side: 8 of eight lanes, or 16 of the first four.
-template <class Narrow>
-HWY_INLINE std::uint64_t pack(const Bits& a)
+/// The lowest bits of all lanes side by side, in `words` words.
+template <class Narrow, std::size_t words>
+HWY_INLINE std::array<std::uint64_t, words> pack(const Bits& a)
 {
-  Narrow narrow[2 * batch];
+  static_assert(sizeof(Narrow) * batch == sizeof(std::uint64_t) * words);
+  Narrow narrow[batch];
   for (std::size_t p = 0; p < parts; ++p) {
     const hn::Rebind<Narrow, Bit_tag> tag;
     hn::StoreU(hn::TruncateTo(tag, a.part[p]), tag, narrow + p * part_lanes);
   }
-  std::uint64_t result;
-  std::memcpy(&result, narrow, sizeof result);
+  std::array<std::uint64_t, words> result;
+  std::memcpy(result.data(), narrow, sizeof narrow);
   return result;
 }
 
