@@ -276,6 +276,25 @@ TEST(Localize_fast, intersects_the_cells_of_a_system)
   EXPECT_GT(common, 0U);
 }
 
+TEST(Localize_fast, needs_memory_for_the_plotted_cells_only)
+{
+  const auto cells = localize_fast(test::paper_curve(0), test::paper_grid_2(65536)).cells; // of 4.3 billion pixels
+  EXPECT_GT(cells.hit(), 130000U);
+  EXPECT_LT(cells.unknown(), 100U);
+  EXPECT_LT(cells.blocks().size(), 20000U);
+  const auto plane = localize_fast(test::paper_surface(0), test::paper_grid_3(1024)).cells;
+  EXPECT_LT(plane.blocks().size(), 150000U);
+}
+
+TEST(Localize_fast, proves_nearly_all_hits_by_floats_alone)
+{
+  for (std::size_t k = 0; k < 10; ++k)
+    for (const std::uint32_t n : {256U, 1024U}) {
+      const auto cells = localize_fast(test::paper_curve(k), test::paper_grid_2(n)).cells;
+      EXPECT_GE(cells.hit() * 100, cells.plotted() * 97) << test::paper_curves[k].text << " at " << n;
+    }
+}
+
 TEST(Localize_fast, refuses_what_it_cannot_do)
 {
   const auto grid = test::paper_grid_2(4096);

@@ -42,7 +42,9 @@ template <std::size_t D>
 Monomial_shape<D>::Monomial_shape(const Polynomial<Rational, D>& f)
 {
   collect_divisors(f);
-  for (const unsigned d : class_degrees(degree())) {
+  const auto degrees = class_degrees(degree());
+  classes_.reserve(degrees.size());
+  for (const unsigned d : degrees) {
     classes_.push_back({d, degree_end_[d], {}, {}});
     Class& cut = classes_.back();
     for (std::size_t axis = 0; axis < D; ++axis) cut.lines[axis] = lines_of(axis, d);
@@ -117,6 +119,8 @@ auto Monomial_shape<D>::lines_of(std::size_t axis, unsigned degree) const -> Lin
   for (std::size_t k = 0; k < degree_end_[degree]; ++k)
     if (exponents_[k][axis] == 0) rests.push_back(exponents_[k]);
   std::sort(rests.begin(), rests.end());
+  result.lines.reserve(rests.size());
+  result.index.reserve(degree_end_[degree]);
   for (const auto& rest : rests) {
     const auto first = static_cast<std::uint32_t>(result.index.size());
     auto monomial = rest;

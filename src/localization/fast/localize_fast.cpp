@@ -73,9 +73,12 @@ private:
       fast::subdivide_tasks(plan_, level, seeds_.data(), tasks_.data() + first, last - first, 0, harvest);
       collect(std::move(harvest), last - first);
     };
-    const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
-    const unsigned threads = options_.threads == 0 ? processors : std::min(options_.threads, processors);
     if (tasks_.empty()) return;
+    unsigned threads = options_.threads;
+    if (threads != 1) { // asking for the processors takes as long as a small curve
+      const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
+      threads = threads == 0 ? processors : std::min(threads, processors);
+    }
     if (threads == 1 && !options_.progress) return some(0, tasks_.size());
     if (threads == 1) {
       for (std::size_t t = 0; t < tasks_.size(); ++t) some(t, t + 1);
