@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "Interval_rung.h"
 #include "Zero_set.h"
 #include "decide_cells.h"
 
 #include <corral/errors.h>
+#include <corral/number/Mpfr_interval.h>
+#include <corral/number/Outward_interval.h>
 #include <corral/polynomial/square_free.h>
 #include <corral/verification/ideal_raster.h>
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace corral {
@@ -15,14 +20,21 @@ struct Cell_decider<D>::State
 {
   State(const Polynomial<Rational, D>& f, const Grid<D>& the_grid, const Checkpoint& checkpoint, Witnesses witnesses)
       : grid(the_grid), free(square_free_part(f)),
-        form(exact::dense_power_form(exact::in_grid_coordinates(free, the_grid))),
+        form(exact::dense_power_form(exact::in_grid_coordinates(free, the_grid))), doubles(form),
         zeros([g = free] { return g; }, checkpoint, witnesses)
-  {}
+  {
+    const auto wide = [](const Integer& c) { return mpz_sizeinbase(c.get_mpz_t(), 2) > worth_mpfr; };
+    if (std::any_of(form.values.begin(), form.values.end(), wide)) mpfr.emplace(form);
+  }
 
   Grid<D> grid;
   Polynomial<Integer, D> free;
   exact::Bernstein_form<D> form; ///< power coefficients in grid coordinates
+  exact::Interval_rung<Outward_interval, D> doubles;
+  std::optional<exact::Interval_rung<Mpfr_interval, D>> mpfr; ///< only where the integers are much longer
   exact::Zero_set<D> zeros;
+
+  static constexpr std::size_t worth_mpfr = 1024; ///< bits of a coefficient
 };
 
 template <std::size_t D>
@@ -50,6 +62,9 @@ const Polynomial<Integer, D>& Cell_decider<D>::square_free() const
 template <std::size_t D>
 Cell_decision<D> Cell_decider<D>::decide(const Cell<D>& cell)
 {
+  if (auto decision = state_->doubles.decide(state_->grid, cell, Rung::intervals)) return *decision;
+  if (state_->mpfr)
+    if (auto decision = state_->mpfr->decide(state_->grid, cell, Rung::mpfr)) return *decision;
   return state_->zeros.decide(exact::on_cell(state_->form, cell), state_->grid.cell_box(cell));
 }
 

@@ -303,4 +303,20 @@ TEST(Ideal_raster, refuses_the_zero_polynomial)
   EXPECT_THROW((void)ideal_raster(Polynomial<Rational, 2>(), Grid<2>(around, {4, 4}), {}), Invalid_input);
 }
 
+TEST(Ideal_raster, counts_the_rung_that_decided)
+{
+  const auto total = [](const std::array<std::uint64_t, rung_count>& counts, Rung rung) {
+    return counts[static_cast<std::size_t>(rung)];
+  };
+  const auto circle = plot<2>("x^2+y^2-7/3", around, 16).rungs;
+  EXPECT_GT(total(circle.hit, Rung::intervals), 0U);
+  EXPECT_GT(total(circle.empty, Rung::intervals), 0U);
+  const auto point = plot<2>("(x^2-2)^2+(y^2-3)^2", around, 4).rungs;
+  EXPECT_EQ(total(point.hit, Rung::algebra), 4U);
+  const auto corner = plot<2>("x*(y-1)", around, 4).rungs; // zero at corners, which intervals cannot tell
+  EXPECT_GT(total(corner.hit, Rung::integers), 0U);
+  const auto fine = plot<2>("10^700*(x^2+y^2-7/3)+10^680*x-y", around, 16).rungs;
+  EXPECT_EQ(total(fine.hit, Rung::integers) + total(fine.hit, Rung::algebra), 0U);
+}
+
 } // namespace
