@@ -362,18 +362,22 @@ void Worker<D>::decide_leaf(std::size_t k, const double* c, std::size_t lane)
   auto masks = block.decide();
   std::array<std::uint32_t, D> corner;
   for (std::size_t axis = 0; axis < D; ++axis) corner[axis] = static_cast<std::uint32_t>(corner_[axis][lane]);
-  const bool hopeless = child_norm_[lane] < 64 * thresholds.sign; // rounding errors hide everything
-  for (std::size_t b = 0; b < Plan<D>::leaf_blocks; ++b, corner[0] += block_side<D>) {
-    if (masks.empty[b] == ~std::uint64_t{0} || corner[0] >= plan_.resolution[0]) continue;
-    const std::uint64_t cells = inside(corner);
-    const std::uint64_t unknown = cells & ~masks.empty[b] & ~masks.hit[b];
-    if (unknown != 0 && !hopeless) block.probe(b, unknown, masks);
-    const std::uint64_t plotted = cells & ~masks.empty[b];
-    if (plotted == 0) continue;
-    auto index = corner;
-    for (auto& i : index) i /= block_side<D>;
-    harvest_.blocks.push_back({index, plotted, masks.hit[b] & plotted});
+  typename Leaf_block<D>::Words cells{};
+  auto unknown = cells;
+  std::uint64_t any_unknown = 0;
+  for (std::size_t b = 0; b < cells.size(); ++b) {
+    auto first = corner;
+    first[0] += static_cast<std::uint32_t>(b) * block_side<D>;
+    cells[b] = masks.empty[b] == ~std::uint64_t{0} || first[0] >= plan_.resolution[0] ? 0 : inside(first);
+    unknown[b] = cells[b] & ~masks.empty[b] & ~masks.hit[b];
+    any_unknown |= unknown[b];
   }
+  const bool hopeless = child_norm_[lane] < 64 * thresholds.sign; // rounding errors hide everything
+  if (any_unknown != 0 && !hopeless) block.probe(unknown, masks);
+  for (auto& index : corner) index /= block_side<D>;
+  for (std::size_t b = 0; b < cells.size(); ++b, ++corner[0])
+    if (const std::uint64_t plotted = cells[b] & ~masks.empty[b]; plotted != 0)
+      harvest_.blocks.push_back({corner, plotted, masks.hit[b] & plotted});
 }
 
 /// The cells of a leaf block that belong to the grid.

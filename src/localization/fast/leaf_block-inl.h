@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace corral::fast::HWY_NAMESPACE {
@@ -59,9 +60,8 @@ public:
   /// The verdicts that the corners of the cells give.
   [[nodiscard]] Masks decide() const;
 
-  /// Looks at a finer lattice in each cell of `unknown`, a set of cells of one block, and adds what it shows to
-  /// `masks`.
-  void probe(std::size_t block, std::uint64_t unknown, Masks& masks) const;
+  /// Looks at a finer lattice in each cell of `unknown` and adds what it shows to `masks`.
+  void probe(Words unknown, Masks& masks) const;
 
 private:
   /// Whether f may have its extremes in a cell elsewhere than at the corners.
@@ -143,10 +143,10 @@ HWY_INLINE auto Leaf_block<D>::look() const -> Corner_facts
   const Octet plus[] = {set(t_.sign), set(t_.positive)};
   const Octet minus[] = {set(-t_.sign), set(-t_.negative)};
   Corner_facts facts{{no_bits()}, {no_bits()}, {no_bits()}, {no_bits()}};
-  for (std::size_t row = 0; row < rows; ++row) {
+  Bits bit = all_words(1);
+  for (std::size_t row = 0; row < rows; ++row, bit = twice(bit)) {
     Octet value = set(powers_[top * padded_rows + row]);
     for (std::size_t i = top; i-- > 0;) value = value * x + set(powers_[i * padded_rows + row]);
-    const std::uint64_t bit = std::uint64_t{1} << row;
     mark_at_most(facts.not_negative.words, plus[0], value, bit);
     mark_at_most(facts.not_positive.words, value, minus[0], bit);
     if constexpr (bent) {
@@ -270,20 +270,26 @@ unsigned Leaf_block<D>::probe_cells(const std::array<Octet, D>& centre, unsigned
 }
 
 template <std::size_t D>
-void Leaf_block<D>::probe(std::size_t block, std::uint64_t unknown, Masks& masks) const
+void Leaf_block<D>::probe(Words unknown, Masks& masks) const
 {
-  while (unknown != 0) {
+  std::size_t block = 0;
+  for (;;) {
     alignas(64) double coordinate[D][batch] = {};
-    unsigned bits[batch] = {};
+    std::array<std::pair<std::size_t, std::uint64_t>, batch> cell_bit{};
     unsigned lanes = 0;
-    for (std::size_t lane = 0; lane < batch && unknown != 0; ++lane, unknown &= unknown - 1) {
-      bits[lane] = static_cast<unsigned>(std::countr_zero(unknown));
-      auto cell = cell_of<D>({}, bits[lane]);
+    for (std::size_t lane = 0; lane < batch; ++lane) {
+      while (block < unknown.size() && unknown[block] == 0) ++block;
+      if (block == unknown.size()) break;
+      const auto bit = static_cast<unsigned>(std::countr_zero(unknown[block]));
+      unknown[block] &= unknown[block] - 1;
+      auto cell = cell_of<D>({}, bit);
       cell[0] += static_cast<std::uint32_t>(block) * block_side<D>;
       for (std::size_t axis = 0; axis < D; ++axis)
         coordinate[axis][lane] = (2.0 * cell[axis] + 1) / plan_.leaf_cells[axis] - 1;
+      cell_bit[lane] = {block, std::uint64_t{1} << bit};
       lanes |= 1U << lane;
     }
+    if (lanes == 0) return;
     std::array<Octet, D> centre;
     for (std::size_t axis = 0; axis < D; ++axis) centre[axis] = load(coordinate[axis]);
     unsigned hit = 0;
@@ -291,8 +297,8 @@ void Leaf_block<D>::probe(std::size_t block, std::uint64_t unknown, Masks& masks
     for (unsigned pieces = 2; pieces <= Plan<D>::probe_pieces && (lanes & ~(hit | empty)) != 0; pieces *= 2)
       empty |= probe_cells(centre, lanes & ~(hit | empty), pieces, hit);
     for (std::size_t lane = 0; lane < batch; ++lane) {
-      if ((empty >> lane & 1) != 0) masks.empty[block] |= std::uint64_t{1} << bits[lane];
-      if ((hit >> lane & 1) != 0) masks.hit[block] |= std::uint64_t{1} << bits[lane];
+      if ((empty >> lane & 1) != 0) masks.empty[cell_bit[lane].first] |= cell_bit[lane].second;
+      if ((hit >> lane & 1) != 0) masks.hit[cell_bit[lane].first] |= cell_bit[lane].second;
     }
   }
 }

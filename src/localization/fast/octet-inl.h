@@ -144,17 +144,25 @@ HWY_INLINE Bits shift_down(const Bits& a)
 {
   return each_word([&](std::size_t p) HWY_ATTR { return hn::ShiftRight<count>(a.part[p]); });
 }
+HWY_INLINE Bits twice(const Bits& a)
+{
+  return each_word([&](std::size_t p) HWY_ATTR { return hn::ShiftLeft<1>(a.part[p]); });
+}
+HWY_INLINE Bits all_words(std::uint64_t value)
+{
+  return each_word([&](std::size_t) HWY_ATTR { return hn::Set(Bit_tag(), value); });
+}
 HWY_INLINE Bits keep(const Bits& a, std::uint64_t mask)
 {
   return each_word([&](std::size_t p) HWY_ATTR { return hn::And(a.part[p], hn::Set(Bit_tag(), mask)); });
 }
 
 /// Adds `bit` to the words of the lanes where a <= b.
-HWY_INLINE void mark_at_most(Bits& words, const Octet& a, const Octet& b, std::uint64_t bit)
+HWY_INLINE void mark_at_most(Bits& words, const Octet& a, const Octet& b, const Bits& bit)
 {
   for (std::size_t p = 0; p < parts; ++p) {
     const auto mask = hn::RebindMask(Bit_tag(), hn::Le(a.part[p], b.part[p]));
-    words.part[p] = hn::Or(words.part[p], hn::IfThenElseZero(mask, hn::Set(Bit_tag(), bit)));
+    words.part[p] = hn::Or(words.part[p], hn::IfThenElseZero(mask, bit.part[p]));
   }
 }
 
