@@ -188,10 +188,9 @@ Elimination eliminate(const Bivariate& f, const Bivariate& g, const Checkpoint& 
   const std::size_t bits = m * norm_bits(f) + n * norm_bits(g) + 2;
   std::array<Chinese_remainder, 3> remainders;
   bool with_linear = n > 0 && m > 0;
-  for (std::size_t number = 0; number == 0 || mpz_sizeinbase(remainders[0].modulus().get_mpz_t(), 2) <= bits + 1;
-       ++number) {
+  for (Large_primes primes; mpz_sizeinbase(remainders[0].modulus().get_mpz_t(), 2) <= bits + 1;) {
     if (checkpoint) checkpoint();
-    const Prime_field field(large_prime(number));
+    const Prime_field field(primes.next());
     const Modular_pair pair(field, f, g);
     if (!pair.is_lucky()) continue;
     auto samples = sample(field, pair, degree_bound + 1, with_linear);

@@ -155,8 +155,8 @@ Integer_polynomial greatest_common_divisor(const Integer_polynomial& a, const In
   exact::Chinese_remainder remainder;
   std::size_t best = std::min(degree(p), degree(q)) + 1;
   Integer_polynomial previous;
-  for (std::size_t number = 0;; ++number) {
-    const exact::Prime_field field(exact::large_prime(number));
+  for (exact::Large_primes primes;;) {
+    const exact::Prime_field field(primes.next());
     if (field.from(lead) == 0) continue;
     const auto common = modular_gcd(field, image(field, p), image(field, q));
     if (common.size() == 1) return {1};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Prime_field.h"
 
-#include <mutex>
+#include <array>
 
 namespace corral::exact {
 
@@ -27,18 +27,21 @@ Element Prime_field::inverse(Element a) const
   return result;
 }
 
-std::uint64_t large_prime(std::size_t number)
+std::uint64_t Large_primes::next()
 {
-  static std::mutex mutex;
-  static std::vector<std::uint64_t> primes; // a memo of constants
-  const std::scoped_lock lock(mutex);
-  while (primes.size() <= number) {
-    Integer candidate = primes.empty() ? Integer(Integer(1) << 62) : Integer(primes.back());
-    do --candidate;
-    while (mpz_probab_prime_p(candidate.get_mpz_t(), 30) == 0);
-    primes.push_back(candidate.get_ui());
-  }
-  return primes[number];
+  // 2^62 minus these: most computations need no more, and the search takes longer than they do.
+  static constexpr std::array<std::uint16_t, 96> distances = {
+      57,   87,   117,  143,  153,  167,  171,  195,  203,  273,  287,  317,  443,  483,  495,  575,
+      581,  603,  633,  663,  765,  773,  777,  791,  813,  831,  923,  981,  993,  1001, 1007, 1017,
+      1197, 1241, 1293, 1353, 1433, 1515, 1553, 1575, 1581, 1595, 1617, 1673, 1697, 1701, 1703, 1823,
+      1881, 1911, 1923, 2043, 2073, 2103, 2141, 2187, 2217, 2247, 2285, 2351, 2367, 2375, 2397, 2421,
+      2511, 2541, 2583, 2661, 2675, 2753, 2777, 2793, 2861, 2891, 2927, 3023, 3041, 3221, 3251, 3255,
+      3257, 3263, 3317, 3377, 3521, 3537, 3545, 3551, 3563, 3671, 3705, 3767, 3797, 3803, 3873, 3933};
+  if (taken_ < distances.size()) return last_ = (std::uint64_t{1} << 62) - distances[taken_++];
+  Integer candidate = last_;
+  do candidate -= 2;
+  while (mpz_probab_prime_p(candidate.get_mpz_t(), 30) == 0); // no composite of this size passes (Baillie-PSW)
+  return last_ = candidate.get_ui();
 }
 
 namespace {

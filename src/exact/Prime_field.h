@@ -53,8 +53,16 @@ private:
   std::uint64_t square_;  ///< 2^128 modulo the prime
 };
 
-/// The number-th prime below 2^62, counted downwards from 0. Results are kept for the whole run.
-[[nodiscard]] std::uint64_t large_prime(std::size_t number);
+/// The primes below 2^62 in decreasing order.
+class Large_primes
+{
+public:
+  [[nodiscard]] std::uint64_t next();
+
+private:
+  std::size_t taken_ = 0;
+  std::uint64_t last_ = 0;
+};
 
 /// A dense polynomial over a prime field, leading coefficient not zero.
 using Modular_polynomial = std::vector<Prime_field::Element>;
