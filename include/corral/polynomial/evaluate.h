@@ -16,7 +16,8 @@ namespace detail {
 template <class NT>
 NT ring_power(const NT& x, unsigned n)
 {
-  if constexpr (IntervalNumber<NT>) {
+  // Not `IntervalNumber<NT>`: g++ 12 has been seen to take that for true of `Rational`.
+  if constexpr (requires { Interval_traits<NT>::name; }) {
     return power(x, n);
   } else {
     if (n == 1) return x;

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "conformance_of_all.h"
+
+#include <corral/number/Nearest_interval.h>
+#include <corral/number/Rational_interval.h>
+
+namespace {
+
+using namespace corral;
+using namespace corral::test;
+
+// False bounders. The suite that the true ones pass must catch each of them.
+
+/// Takes a thousandth of its width off each end of a true bound.
+template <IntervalNumber I, std::size_t D>
+struct Shrinking_bounder : Natural_bounder<I, D>
+{
+  using Natural_bounder<I, D>::Natural_bounder;
+  static constexpr std::string_view name = "shrinking";
+  [[nodiscard]] I bound(const Box<I, D>& box) const
+  {
+    const I b = Natural_bounder<I, D>::bound(box);
+    const I margin = (upper(b) - lower(b)) * enclose<I>(Rational(1, 1000));
+    return hull(I(lower(b) + margin), I(upper(b) - margin));
+  }
+};
+
+/// Forgets the last term.
+template <IntervalNumber I, std::size_t D>
+struct Forgetful_bounder : Modified_affine_bounder<I, D>
+{
+  static constexpr std::string_view name = "forgetful";
+  explicit Forgetful_bounder(const Polynomial<I, D>& f) : Modified_affine_bounder<I, D>(without_last(f)) {}
+  static Polynomial<I, D> without_last(const Polynomial<I, D>& f)
+  {
+    auto terms = f.terms();
+    if (terms.size() > 1) terms.pop_back();
+    return Polynomial<I, D>(std::move(terms));
+  }
+};
+
+/// Takes [0, 1] for u_0, which is odd.
+template <IntervalNumber I, std::size_t D>
+struct Odd_as_even_bounder : Modified_affine_bounder<I, D>
+{
+  static constexpr std::string_view name = "odd_as_even";
+  explicit Odd_as_even_bounder(const Polynomial<I, D>& f) : Modified_affine_bounder<I, D>(f), taylor_(f) {}
+  [[nodiscard]] I bound(const Box<I, D>& box) const
+  {
+    return centred_range(taylor_.expand(box), [](const Exponents<D>& k, const I& c) {
+      return k[0] == 1 ? hull_with_zero(c) : symmetric_hull(c);
+    });
+  }
+  Scaled_taylor<I, D> taylor_;
+};
+
+/// Looks at the corners only.
+template <IntervalNumber I, std::size_t D>
+struct Corner_bounder : Natural_bounder<I, D>
+{
+  static constexpr std::string_view name = "corners";
+  explicit Corner_bounder(const Polynomial<I, D>& f) : Natural_bounder<I, D>(f), f_(f) {}
+  [[nodiscard]] I bound(const Box<I, D>& box) const
+  {
+    std::array<I, D> corner;
+    I range;
+    for (unsigned bits = 0; bits < 1U << D; ++bits) {
+      for (std::size_t axis = 0; axis < D; ++axis)
+        corner[axis] = (bits >> axis & 1U) != 0 ? upper(box[axis]) : lower(box[axis]);
+      const I value = evaluate(f_, corner);
+      range = bits == 0 ? value : hull(range, value);
+    }
+    return range;
+  }
+  Polynomial<I, D> f_;
+};
+
+template <std::size_t D>
+void expect_false_bounders_caught()
+{
+  using I = Rational_interval;
+  EXPECT_NE((find_escape<Shrinking_bounder<I, D>>(1, 64)), "");
+  EXPECT_NE((find_escape<Forgetful_bounder<I, D>>(1, 64)), "");
+  EXPECT_NE((find_escape<Odd_as_even_bounder<I, D>>(1, 64)), "");
+  EXPECT_NE((find_escape<Corner_bounder<I, D>>(1, 64)), "");
+}
+
+TEST(Bounder_conformance, catches_false_bounders)
+{
+  expect_false_bounders_caught<1>();
+  expect_false_bounders_caught<2>();
+  expect_false_bounders_caught<3>();
+  expect_false_bounders_caught<4>();
+}
+
+template <std::size_t D>
+void expect_missing_rounding_caught()
+{
+  Bounders::for_each<Nearest_interval, D>([](auto bounder) {
+    using B = typename decltype(bounder)::type;
+    EXPECT_NE(find_escape<B>(1, 64), "") << B::name << " in dimension " << D;
+  });
+}
+
+TEST(Bounder_conformance, catches_every_bounder_without_outward_rounding)
+{
+  expect_missing_rounding_caught<1>();
+  expect_missing_rounding_caught<2>();
+  expect_missing_rounding_caught<3>();
+  expect_missing_rounding_caught<4>();
+}
+
+} // namespace
