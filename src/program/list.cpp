@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "commands.h"
 
+#include <corral/bounders/all.h>
 #include <corral/number/all.h>
 #include <corral/output/all.h>
 
@@ -25,7 +26,10 @@ void list_writers(const char* title)
 
 void list_command()
 {
-  std::cout << "Number types (--number):\n";
+  std::cout << "Bounders (--bounder), each as much guaranteed as the number type:\n";
+  Bounders::for_each<Rational_interval, 1>(
+      [](auto bounder) { std::cout << "  " << decltype(bounder)::type::name << '\n'; });
+  std::cout << "\nNumber types (--number):\n";
   Number_types::for_each([]<class I>(std::type_identity<I>) {
     line(Interval_traits<I>::name,
          Interval_traits<I>::is_guaranteed ? "guaranteed" : "not guaranteed: rounds to nearest");

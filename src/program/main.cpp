@@ -54,11 +54,13 @@ int run(int argc, char** argv)
   app.footer("Examples:\n"
              "  corral localize 'x^2 + y^2 - 1' --box -2:2,-2:2 --resolution 256 --plus --output circle.png\n"
              "  corral localize 'x^2 + y^2 + z^2 - 1' --box -1:1,-1:1,-1:1 --resolution 32 --output ball.off\n"
+             "  corral bound 'x^2 - x*y' --box 0:1,0:1\n"
              "  corral list\n"
              "Exit codes: 0 done, 1 failed, 2 bad usage.");
   app.set_version_flag("--version", "corral " CORRAL_VERSION);
   app.require_subcommand(1);
   add_localize(app);
+  add_bound(app);
   add_certify(app);
   add_reproduce(app);
   add_list(app);
@@ -79,7 +81,7 @@ int run(int argc, char** argv)
   try {
     app.parse(operands_marked(argc, argv));
     return interrupted_by() != 0 ? 128 + interrupted_by() : done; // a command may keep what it has proved
-  } catch (const CLI::Success& success) { // --help and --version
+  } catch (const CLI::Success& success) {                         // --help and --version
     return app.exit(success);
   } catch (const CLI::ParseError& error) {
     return complain(std::string(error.what()) + "; see corral " + (command[0] == '-' ? "" : command + " ") + "--help",

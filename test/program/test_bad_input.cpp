@@ -102,6 +102,23 @@ TEST(Bad_input, usage)
                  "csv,json,text,summary");
 }
 
+TEST(Bad_input, bound)
+{
+  const auto refuse = [](const std::string& option, const std::string& value, const std::string& hint) {
+    expect_refusal({"bound", "x + y", "--box", "0:1,0:1", option, value}, 2, hint);
+  };
+  refuse("--bounder", "best", "expected one of ");
+  refuse("--bounder", "best", "maa, natural");
+  refuse("--number", "float", "double_nearest, double_outward, cgal_interval, mpfr, rational, counted");
+  refuse("--order", "0", "from 1");
+  refuse("--order", "-1", "order");
+  refuse("--precision", "10", "53");
+  expect_refusal({"bound", "x + y", "--box", "0:1"}, 2, "x, y");
+  expect_refusal({"bound", "x + y", "--box", "1:0,0:1"}, 2, "LOWER <= UPPER");
+  expect_refusal({"bound", "x +", "--box", "0:1"}, 2, "expected");
+  expect_refusal({"bound", "x"}, 2, "--box");
+}
+
 TEST(Bad_input, outputs)
 {
   const Words good{"localize", "x - y", "--box", "0:1,0:1", "--resolution", "2000"};

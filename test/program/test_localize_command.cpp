@@ -102,7 +102,8 @@ TEST(Localize_command, stops_on_an_interrupt_without_a_file)
 
 TEST(Help, is_everywhere)
 {
-  for (const Words& words : {Words{"--help"}, {"localize", "--help"}, {"reproduce", "--help"}, {"list", "--help"}}) {
+  for (const Words& words :
+       {Words{"--help"}, {"localize", "--help"}, {"bound", "--help"}, {"reproduce", "--help"}, {"list", "--help"}}) {
     const Program_run run = run_program(words);
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_EQ(run.err, "");

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "bound_over-inl.h"
+
+#include <corral/number/Cgal_interval.h>
+
+namespace corral::program {
+
+template Bound_answer bound_over<Cgal_interval>(const Bound_problem&);
+
+} // namespace corral::program
