@@ -3,10 +3,13 @@
 #include "arguments.h"
 #include "commands.h"
 #include "engine.h"
+#include "exact_engine.h"
 
 #include <corral/output/all.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <iostream>
 
@@ -22,6 +25,8 @@ struct Localize_arguments
   std::string variables;
   Localize_settings settings;
   bool plus = false;
+  bool exact = false;
+  unsigned repeat = 1;
   std::vector<std::string> outputs;
   std::string format;
   unsigned size = Output_options().size;
@@ -44,10 +49,11 @@ void print(const std::string& format, const Grid<D>& grid, const Cell_set<D>& ce
     throw Output_error(std::string("output: cannot write standard output: ") + std::strerror(errno != 0 ? errno : EIO));
 }
 
+using Facts = std::vector<std::pair<std::string, Output_options::Fact>>;
+
 // What the summary says of a run.
-std::vector<std::pair<std::string, Output_options::Fact>> facts(const std::vector<std::string>& polynomials,
-                                                                const Localize_settings& settings, const Work& work,
-                                                                bool is_guaranteed)
+Facts facts(const std::vector<std::string>& polynomials, const Localize_settings& settings, const Work& work,
+            bool is_guaranteed)
 {
   std::vector<std::pair<std::string, Output_options::Fact>> list{{"polynomials", polynomials},
                                                                  {"engine", settings.engine}};
@@ -62,8 +68,76 @@ std::vector<std::pair<std::string, Output_options::Fact>> facts(const std::vecto
   if (settings.engine == "paper") list.emplace_back("subdivisions", work.subdivisions);
   if (settings.count)
     list.insert(list.end(), {{"additions", work.additions}, {"multiplications", work.multiplications}});
-  list.emplace_back("seconds", work.seconds);
   return list;
+}
+
+// What the exact decision says of the cells that the engine plotted.
+Facts exact_facts(const Rung_counts& rungs, const std::map<std::string, std::uint64_t>& reasons)
+{
+  Facts list{{"exact", true}};
+  for (std::size_t rung = 0; rung < rung_count; ++rung) {
+    list.emplace_back("hit_by_" + std::string(rung_names[rung]), rungs.hit[rung]);
+    if (rung > 0) list.emplace_back("empty_by_" + std::string(rung_names[rung]), rungs.empty[rung]);
+  }
+  std::vector<std::string> texts;
+  for (const auto& [reason, count] : reasons) texts.push_back(std::to_string(count) + " cells: " + reason);
+  if (!texts.empty()) list.emplace_back("unknown_because", texts);
+  return list;
+}
+
+// Times of the computation alone, of every run.
+Facts time_facts(std::vector<double> seconds)
+{
+  std::sort(seconds.begin(), seconds.end());
+  const std::size_t half = seconds.size() / 2;
+  const double median = seconds.size() % 2 == 1 ? seconds[half] : (seconds[half - 1] + seconds[half]) / 2;
+  Facts list{{"seconds", median}};
+  if (seconds.size() > 1)
+    list.insert(
+        list.end(),
+        {{"repeat", std::uint64_t{seconds.size()}}, {"seconds_min", seconds.front()}, {"seconds_median", median}});
+  return list;
+}
+
+// The cells of one run or, with `repeat`, of the last of several equal ones.
+template <std::size_t D>
+struct Outcome
+{
+  Cell_set<D> cells;
+  Facts facts;
+};
+
+template <std::size_t D>
+Outcome<D> compute(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+                   const std::vector<std::string>& texts, const Localize_arguments& arguments)
+{
+  Progress progress("localize");
+  Localize_settings settings = arguments.settings;
+  settings.refine = settings.refine || arguments.plus;
+  settings.sample = settings.sample || arguments.plus;
+  settings.progress = [&](double done) { return progress(done); };
+  Outcome<D> outcome;
+  std::vector<double> seconds;
+  while (seconds.size() < arguments.repeat && interrupted_by() == 0) {
+    const auto start = std::chrono::steady_clock::now();
+    auto answer = localize_by_name<D>(system, grid, settings);
+    outcome.facts = facts(texts, settings, answer.work, answer.is_guaranteed);
+    if (arguments.exact) {
+      if (!answer.is_guaranteed)
+        throw Invalid_input("exact: number type " + settings.method.number
+                            + " may have lost cells; expected a guaranteed one");
+      auto raster = decide_exactly<D>(system, grid, answer.cells, settings.progress);
+      answer.cells = std::move(raster.cells);
+      const Facts more = exact_facts(raster.rungs, raster.reasons);
+      outcome.facts.insert(outcome.facts.end(), more.begin(), more.end());
+    }
+    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    outcome.cells = std::move(answer.cells);
+  }
+  if (seconds.empty() || (!arguments.exact && interrupted_by() != 0)) throw Cancelled("localize");
+  const Facts times = time_facts(std::move(seconds));
+  outcome.facts.insert(outcome.facts.end(), times.begin(), times.end());
+  return outcome;
 }
 
 template <std::size_t D>
@@ -80,24 +154,15 @@ void localize_in(const Localize_arguments& arguments, const Space& space, const 
   std::copy_n(counts.begin(), D, resolution.begin());
   const Grid<D> grid(box_of<D>(space), resolution);
 
-  Localize_settings settings = arguments.settings;
-  settings.refine = settings.refine || arguments.plus;
-  settings.sample = settings.sample || arguments.plus;
-  Localize_answer<D> answer;
-  {
-    Progress progress("localize");
-    settings.progress = [&](double done) { return progress(done); };
-    answer = localize_by_name<D>(system, grid, settings);
-  }
-  if (interrupted_by() != 0) throw Cancelled("localize");
+  const Outcome<D> outcome = compute<D>(system, grid, texts, arguments);
 
   Output_options options;
   options.variables = space.variables;
-  options.facts = facts(texts, settings, answer.work, answer.is_guaranteed);
+  options.facts = outcome.facts;
   options.size = arguments.size;
   options.colouring = arguments.plain ? Colouring::plotted : Colouring::by_verdict;
-  for (const auto& path : arguments.outputs) write_file(path, grid, answer.cells, options);
-  print(arguments.format, grid, answer.cells, options);
+  for (const auto& path : arguments.outputs) write_file(path, grid, outcome.cells, options);
+  print(arguments.format, grid, outcome.cells, options);
 }
 
 void localize_command(const Localize_arguments& arguments)
@@ -135,6 +200,13 @@ void add_localize(CLI::App& app)
       ->capture_default_str();
   command->add_option("--threads", settings.threads, "threads of the fast engine; 0: one for each processor")
       ->capture_default_str();
+  command
+      ->add_option("--repeat", arguments->repeat,
+                   "run the computation so many times; the summary says the least and the median time")
+      ->check(CLI::Range(1U, 1'000'000U))
+      ->capture_default_str();
+  command->add_flag("--exact", arguments->exact,
+                    "decide every cell exactly: one polynomial in 1 to 3 variables, or two in 2 or 3");
   command->add_flag("--sample", settings.sample, "look for a change of sign at the corners of a cell");
   command->add_flag("--refine", settings.refine, "cut each remaining cell once more before it is plotted");
   command->add_flag("--plus", arguments->plus, "--sample and --refine: the paper's RT++ and MAA++");
@@ -149,9 +221,11 @@ void add_localize(CLI::App& app)
   command->add_flag("--plain", arguments->plain, "pictures show hit and unknown cells alike, as in the paper");
   command->footer(
       "Verdicts: hit (proved: a zero in the cell) and unknown; all other cells are proved empty.\n"
+      "With --exact, none is unknown in one and two dimensions; what is decided when it is interrupted is kept.\n"
       "Examples:\n"
       "  corral localize 'x^2 + y^2 - 1' --box -2:2,-2:2 --resolution 256 --plus --output circle.png\n"
       "  corral localize 'x^2+y^2+z^2-4' '(x-1)^2+y^2-1' --box -2:2,-2:2,-2:2 --resolution 64 --output v.ply\n"
+      "  corral localize 'x^4 + y^4 - 2*x^2*y^2' --box -1:1,-1:1 --resolution 256 --exact --output cross.svg\n"
       "  corral localize 'y - x^3' --box -1:1,-1:1 --resolution 40,20 --format text");
   command->callback([arguments] { localize_command(*arguments); });
 }

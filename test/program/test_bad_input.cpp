@@ -119,6 +119,18 @@ TEST(Bad_input, bound)
   expect_refusal({"bound", "x"}, 2, "--box");
 }
 
+TEST(Bad_input, exact_and_repeat)
+{
+  const auto refuse = [](Words words, const std::string& box, const std::string& hint) {
+    words.insert(words.begin(), "localize");
+    words.insert(words.end(), {"--box", box, "--resolution", "8", "--output", "a.csv"});
+    expect_refusal(words, 2, hint);
+  };
+  refuse({"x - y", "x + y", "x*y", "--exact"}, "0:1,0:1", "given 3 polynomials");
+  refuse({"x - y", "--repeat", "0"}, "0:1,0:1", "--repeat");
+  refuse({"x - y", "--repeat", "-3"}, "0:1,0:1", "--repeat");
+}
+
 TEST(Bad_input, outputs)
 {
   const Words good{"localize", "x - y", "--box", "0:1,0:1", "--resolution", "2000"};

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "exact_engine.h"
+
+#include <corral/errors.h>
+#include <corral/verification/ideal_system.h>
+
+namespace corral::program {
+
+template <std::size_t D>
+Ideal_raster<D> decide_exactly(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+                               const Cell_set<D>& cells, const std::function<bool(double)>& progress)
+{
+  Ideal_raster_options options;
+  options.progress = [&](std::uint64_t done, std::uint64_t total) {
+    return progress(static_cast<double>(done) / static_cast<double>(total));
+  };
+  if constexpr (D <= 3)
+    if (system.size() == 1) return ideal_raster<D>(system.front(), grid, cells, options);
+  if constexpr (D == 2 || D == 3)
+    if (system.size() == 2) return ideal_raster<D>(system, grid, cells, options);
+  throw Invalid_input("exact: given " + std::to_string(system.size()) + " polynomials in " + std::to_string(D)
+                      + " dimensions; expected 1 in 1 to 3 dimensions, or 2 in 2 or 3 dimensions");
+}
+
+#define CORRAL_INSTANTIATE(D)                                                                                          \
+  template Ideal_raster<D> decide_exactly<D>(const std::vector<Polynomial<Rational, D>>&, const Grid<D>&,              \
+                                             const Cell_set<D>&, const std::function<bool(double)>&);
+CORRAL_INSTANTIATE(1)
+CORRAL_INSTANTIATE(2)
+CORRAL_INSTANTIATE(3)
+CORRAL_INSTANTIATE(4)
+
+} // namespace corral::program

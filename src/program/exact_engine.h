@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CORRAL_PROGRAM_EXACT_ENGINE_H
+#define CORRAL_PROGRAM_EXACT_ENGINE_H
+
+#include <corral/verification/ideal_raster.h>
+
+#include <functional>
+#include <vector>
+
+namespace corral::program {
+
+/// \brief Decides the unknown cells of a guaranteed localisation exactly.
+/// \param progress  when it says `false`, what is proved by then is kept and the other cells stay unknown.
+/// \throw Invalid_input if there is no exact decision for this dimension and number of polynomials.
+template <std::size_t D>
+[[nodiscard]] Ideal_raster<D> decide_exactly(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+                                             const Cell_set<D>& cells, const std::function<bool(double)>& progress);
+
+} // namespace corral::program
+
+#endif

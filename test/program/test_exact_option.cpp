@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "run_program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace {
+
+using namespace corral::test;
+using nlohmann::json;
+using Words = std::vector<std::string>;
+
+constexpr const char* rungs[] = {"floats", "intervals", "mpfr", "integers", "algebra"};
+
+json localize(Words words, const std::string& box, const std::string& resolution, const std::string& format)
+{
+  words.insert(words.begin(), "localize");
+  words.insert(words.end(), {"--box", box, "--resolution", resolution, "--format", format});
+  const Program_run run = run_program(words);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  return json::parse(run.out);
+}
+
+// Every plotted cell is a hit, and the counts of the rungs agree with that.
+void expect_all_decided(const json& summary)
+{
+  std::uint64_t hits = 0;
+  for (const std::string rung : rungs) hits += summary.at("hit_by_" + rung).get<std::uint64_t>();
+  EXPECT_EQ(summary["unknown"], 0) << summary;
+  EXPECT_EQ(summary["plotted"], hits) << summary;
+  EXPECT_FALSE(summary.contains("unknown_because"));
+}
+
+// The elliptic curve 24.a1. Its egg, from (-11, 0) to (6 - 12 sqrt(2), 0), is smaller than a cell and crosses a line of
+// the grid.
+TEST(Exact_option, decides_every_cell_of_an_elliptic_curve)
+{
+  const Words curve{"y^2 - x^3 + x^2 + 384*x + 2772"};
+  Words exact = curve;
+  exact.push_back("--exact");
+  const json ideal = localize(exact, "-30:60,-300:300", "1024", "json");
+  expect_all_decided(ideal);
+  json egg = json::array();
+  for (const auto& cell : ideal["cells"])
+    if (cell[0] < 230) egg.push_back(cell);
+  EXPECT_EQ(egg, (json{{216, 511, "hit"}, {216, 512, "hit"}}));
+  const json fast = localize(curve, "-30:60,-300:300", "1024", "summary");
+  EXPECT_LE(ideal["plotted"], fast["plotted"]);
+  EXPECT_GE(ideal["plotted"], fast["hit"]);
+  EXPECT_FALSE(fast.contains("hit_by_floats"));
+}
+
+// x^2 = y^2 passes through the corners of the 8 cells along each diagonal and those that touch it there: 8 and 14
+// cells for each, of which the 4 in the middle belong to both.
+TEST(Exact_option, closed_cells_touched_at_a_corner_are_hit)
+{
+  const json ideal = localize({"x^2 - y^2", "--exact"}, "-1:1,-1:1", "8", "json");
+  const json cells = ideal["cells"];
+  const auto touches = [](int i, int j) { return std::abs(i - j) <= 1 || std::abs(i + j - 7) <= 1; };
+  std::size_t expected = 0;
+  for (int i = 0; i < 8; ++i)
+    for (int j = 0; j < 8; ++j) expected += touches(i, j) ? 1U : 0U;
+  EXPECT_EQ(cells.size(), expected);
+  for (const auto& cell : cells) {
+    EXPECT_TRUE(touches(cell[0], cell[1])) << cell;
+    EXPECT_EQ(cell[2], "hit");
+  }
+}
+
+TEST(Exact_option, knows_isolated_points_and_empty_sets)
+{
+  const json point = localize({"(x - 1/3)^2 + y^2", "--exact"}, "-1:1,-1:1", "33", "json");
+  EXPECT_EQ(point["cells"], (json{{21, 16, "hit"}, {22, 16, "hit"}}));
+  const json none = localize({"x^2 + y^2 + 1e-30", "--exact"}, "-1:1,-1:1", "33", "json");
+  EXPECT_EQ(none["cells"], json::array());
+}
+
+TEST(Exact_option, decides_two_equations)
+{
+  const json points = localize({"x^2 + y^2 - 1", "x - y", "--exact"}, "-1:1,-1:1", "5", "json");
+  EXPECT_EQ(points["cells"], (json{{0, 0, "hit"}, {4, 4, "hit"}})); // at 0.7071, in cells from 0.6
+}
+
+TEST(Exact_option, decides_surfaces)
+{
+  expect_all_decided(localize({"x^2 + y^2 - z^2", "--exact"}, "-1:1,-1:1,-1:1", "9", "summary"));
+}
+
+TEST(Exact_option, keeps_what_is_proved_on_an_interrupt)
+{
+  const Temporary_folder folder;
+  Program_limits limits;
+  limits.folder = folder.path();
+  limits.interrupt_after = std::chrono::milliseconds(700);
+  const Program_run run = run_program({"localize", "(x - y)^2*(x + y - 1)^2", "--box", "0:1,0:1", "--resolution",
+                                       "200000", "--exact", "--output", "a.json"},
+                                      limits);
+  EXPECT_EQ(run.exit_code, 130) << run.err;
+  // Without a file, the interrupt came before the exact decision.
+  EXPECT_EQ(run.err.empty(), !folder.files().empty()) << run.err;
+}
+
+TEST(Repeat_option, reports_least_and_median_time)
+{
+  const json summary = localize({"x*y - 1/3", "--repeat", "4", "--threads", "2"}, "0:1,0:1", "64", "summary");
+  EXPECT_EQ(summary["repeat"], 4);
+  EXPECT_GT(summary["seconds_min"], 0.0);
+  EXPECT_LE(summary["seconds_min"], summary["seconds_median"]);
+  EXPECT_EQ(summary["seconds"], summary["seconds_median"]);
+  const json once = localize({"x*y - 1/3"}, "0:1,0:1", "64", "summary");
+  EXPECT_FALSE(once.contains("seconds_min"));
+  EXPECT_EQ(once["plotted"], summary["plotted"]);
+}
+
+} // namespace
