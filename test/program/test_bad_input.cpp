@@ -127,6 +127,7 @@ TEST(Bad_input, exact_and_repeat)
     expect_refusal(words, 2, hint);
   };
   refuse({"x - y", "x + y", "x*y", "--exact"}, "0:1,0:1", "given 3 polynomials");
+  refuse({"x", "x - 1", "--exact"}, "0:1", "given 2 polynomials in 1 dimensions");
   refuse({"x - y", "--repeat", "0"}, "0:1,0:1", "--repeat");
   refuse({"x - y", "--repeat", "-3"}, "0:1,0:1", "--repeat");
 }

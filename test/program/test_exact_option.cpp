@@ -83,6 +83,13 @@ TEST(Exact_option, decides_two_equations)
   EXPECT_EQ(points["cells"], (json{{0, 0, "hit"}, {4, 4, "hit"}})); // at 0.7071, in cells from 0.6
 }
 
+TEST(Exact_option, decides_a_line)
+{
+  const json roots = localize({"(x^2 - 2)*(x - 1/2)^2", "--exact"}, "-2:2", "8", "json");
+  EXPECT_EQ(roots["cells"], (json{{1, "hit"}, {4, "hit"}, {5, "hit"}, {6, "hit"}}));
+  EXPECT_EQ(roots["engine"], "exact");
+}
+
 TEST(Exact_option, decides_surfaces)
 {
   expect_all_decided(localize({"x^2 + y^2 - z^2", "--exact"}, "-1:1,-1:1,-1:1", "9", "summary"));
