@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "engine.h"
 
+#include "paper_engine.h"
+
 #include <corral/localization/localize_fast.h>
+#include <corral/number/all.h>
 
 #include <chrono>
 
@@ -23,15 +26,34 @@ Localize_answer<D> fast(const std::vector<Polynomial<Rational, D>>& system, cons
     throw Invalid_input("engine fast: given " + std::to_string(D) + " dimensions; expected 2 or 3");
 }
 
+template <std::size_t D>
+Localize_answer<D> paper(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+                         Localize_settings settings)
+{
+  if (settings.method.number == "counted") { // the name in the list of number types
+    settings.method.number = Interval_traits<Outward_interval>::name;
+    settings.count = true;
+  }
+  const Mpfr_precision_scope precision(settings.method.precision);
+  Localize_answer<D> answer;
+  Number_types::visit(settings.method.number, [&](auto type) {
+    using I = typename decltype(type)::type;
+    if constexpr (!std::same_as<I, Counted<Outward_interval>>) answer = localize_over<I, D>(system, grid, settings);
+  });
+  return answer;
+}
+
 } // namespace
 
 template <std::size_t D>
 Localize_answer<D> localize_by_name(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
                                     const Localize_settings& settings)
 {
-  if (settings.engine != "fast") throw Invalid_input("engine: given '" + settings.engine + "'; expected fast");
+  if (settings.engine != "fast" && settings.engine != "paper")
+    throw Invalid_input("engine: given '" + settings.engine + "'; expected fast or paper");
   const auto start = std::chrono::steady_clock::now();
-  Localize_answer<D> answer = fast<D>(system, grid, settings);
+  Localize_answer<D> answer =
+    settings.engine == "fast" ? fast<D>(system, grid, settings) : paper<D>(system, grid, settings);
   answer.work.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return answer;
 }

@@ -60,8 +60,8 @@ Figure paper_figure(int figure, const Paper_figure& what, const std::string& num
   result.polynomials = {std::string(example.polynomial)};
   result.box = example.box();
   result.resolution = std::to_string(example.resolution());
-  result.method = "fast engine (the paper: " + std::string(what.bounder == std::string_view("rt") ? "RT" : "MAA")
-                  + (what.plus ? "++)" : ")");
+  result.method = std::string(what.bounder == std::string_view("rt") ? "RT" : "MAA") + (what.plus ? "++" : "");
+  result.settings.engine = "paper";
   result.settings.method.bounder = what.bounder;
   result.settings.method.number = number;
   result.settings.sample = result.settings.refine = what.plus;

@@ -68,7 +68,7 @@ void add_reproduce(CLI::App& app)
 {
   const auto arguments = std::make_shared<Reproduce_arguments>();
   CLI::App* const command = app.add_subcommand("reproduce", "Recompute the tables and figures of the paper");
-  command->add_option("WHAT", arguments->what, "what to recompute")->required()->check(CLI::IsMember({"figures"}));
+  command->add_option("WHAT", arguments->what, "what to recompute")->required()->check(CLI::IsMember({"table1", "table2", "table3", "table4", "figures", "all"}));
   command->add_option("--number", arguments->number,
                       "number type; see corral list (else double_nearest for tables, as in the paper, and\n"
                       "cgal_interval for figures)");
@@ -77,7 +77,9 @@ void add_reproduce(CLI::App& app)
       ->check(CLI::IsMember({"text", "csv"}))
       ->capture_default_str();
   command->footer("Nothing is needed but what is built in. Examples:\n"
-                  "  corral reproduce figures --output gallery");
+                  "  corral reproduce table1\n"
+                  "  corral reproduce table2 --number rational --format csv\n"
+                  "  corral reproduce all --output gallery");
   command->callback([arguments] { reproduce_command(*arguments); });
 }
 

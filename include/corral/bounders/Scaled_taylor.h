@@ -60,6 +60,14 @@ public:
     list_monomials(is_present);
   }
 
+  /// The exponents that an expansion has, sorted; with each come all that it dominates.
+  [[nodiscard]] std::vector<Exponents<D>> exponents() const
+  {
+    std::vector<Exponents<D>> result;
+    for (const auto& monomial : monomials_) result.push_back(monomial.first);
+    return result;
+  }
+
   /// \pre The sides of `box` are finite.
   [[nodiscard]] Centred_polynomial<I, D> expand(const Box<I, D>& box) const
   {

@@ -10,6 +10,7 @@
 #include <corral/bounders/Mean_value_bounder.h>
 #include <corral/bounders/Modified_affine_bounder.h>
 #include <corral/bounders/Natural_bounder.h>
+#include <corral/bounders/Recursive_taylor_bounder.h>
 #include <corral/errors.h>
 #include <corral/number/Rational_interval.h>
 
@@ -68,14 +69,15 @@ template <IntervalNumber I, std::size_t D>
 using Best_intersection = Intersection_bounder<Modified_affine_bounder<I, D>, Bernstein_bounder<I, D>>;
 
 /// All bounders, each once.
-using Bounders = Bounder_list<Modified_affine_bounder, //
-                              Natural_bounder,         //
-                              Horner_bounder,          //
-                              Centred_bounder,         //
-                              Affine_bounder,          //
-                              Bernstein_bounder,       //
-                              Mean_value_bounder,      //
-                              Best_intersection>;      //
+using Bounders = Bounder_list<Recursive_taylor_bounder, //
+                              Modified_affine_bounder,  //
+                              Natural_bounder,          //
+                              Horner_bounder,           //
+                              Centred_bounder,          //
+                              Affine_bounder,           //
+                              Bernstein_bounder,        //
+                              Mean_value_bounder,       //
+                              Best_intersection>;       //
 
 } // namespace corral
 

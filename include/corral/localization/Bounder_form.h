@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CORRAL_LOCALIZATION_BOUNDER_FORM_H
+#define CORRAL_LOCALIZATION_BOUNDER_FORM_H
+
+#include <corral/bounders/Range_bounder.h>
+#include <corral/localization/Localization.h>
+#include <corral/localization/Subdivision.h>
+#include <corral/polynomial/evaluate.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace corral {
+
+/// \brief Model of `SubdivisionForm`: bounds every box afresh from the polynomials, as the paper does.
+///
+/// A node is kept while no polynomial excludes it. At grid size, point sampling may accept a cell (a change of sign
+/// of the only polynomial between corners, or a corner where every polynomial is exactly zero) and refinement may
+/// drop one all of whose subcells are excluded. A cell is a hit by the former only.
+///
+/// \tparam B  model of `RangeBounder`.
+template <RangeBounder B>
+class Bounder_form
+{
+public:
+  using I = typename B::Interval;
+  static constexpr std::size_t D = B::dimension;
+  using Node = Subdivision_node<D>;
+  using System = std::vector<Polynomial<I, D>>;
+
+  /// \pre One bounder for each polynomial, in the same order. An `Arithmetic_scope` of I is alive.
+  Bounder_form(System system, std::vector<B> bounders, Grid<D> grid, Localization_options options)
+      : system_(std::move(system)), bounders_(std::move(bounders)), grid_(std::move(grid)),
+        options_(std::move(options)), tree_(grid_.resolution()), stack_(tree_.root().level + 1)
+  {}
+
+  bool begin(const Node& root)
+  {
+    Sides& sides = stack_[root.level];
+    for (std::size_t axis = 0; axis < D; ++axis) sides[axis] = {line(axis, 0), line(axis, tree_.end(root, axis))};
+    return may_vanish(box_of(sides));
+  }
+
+  [[nodiscard]] bool decides(const Node& node) const { return node.level == 0; }
+
+  void decide(const Node& cell)
+  {
+    report(cell);
+    if (options_.sample && has_sampled_zero(stack_[0])) return emit(cell, Verdict::hit);
+    if (options_.refine_depth == 0 || survives(grid_.cell_box(cell.corner), options_.refine_depth))
+      emit(cell, Verdict::unknown);
+  }
+
+  unsigned split(const Node& node, unsigned children)
+  {
+    ++result_.counters.subdivisions;
+    middle_ = middle(node);
+    unsigned kept = 0;
+    for (unsigned rest = children; rest != 0; rest &= rest - 1) {
+      const auto child = static_cast<unsigned>(std::countr_zero(rest));
+      if (may_vanish(box_of(child_sides(node, child, middle_))))
+        kept |= 1U << child;
+      else
+        report(tree_.child(node, child));
+    }
+    middles_.resize(std::max<std::size_t>(middles_.size(), node.level + 1));
+    middles_[node.level] = middle_;
+    return kept;
+  }
+
+  void descend(const Node& node, unsigned child)
+  {
+    stack_[node.level - 1] = child_sides(node, child, middles_[node.level]);
+  }
+
+  /// What was found. \pre The loop has run.
+  [[nodiscard]] Localization<D> take()
+  {
+    result_.cells.finish();
+    return std::move(result_);
+  }
+
+private:
+  /// The two ends of each side of a box, each an enclosure of a grid line.
+  using Sides = std::array<std::pair<I, I>, D>;
+
+  [[nodiscard]] I line(std::size_t axis, std::uint32_t index) const { return enclose<I>(grid_.line(axis, index)); }
+
+  static Box<I, D> box_of(const Sides& sides)
+  {
+    Box<I, D> box;
+    for (std::size_t axis = 0; axis < D; ++axis) box[axis] = hull(sides[axis].first, sides[axis].second);
+    return box;
+  }
+
+  // Where the children of a node meet; the end of the node where they do not halve the axis.
+  [[nodiscard]] std::array<I, D> middle(const Node& node) const
+  {
+    std::array<I, D> result;
+    for (std::size_t axis = 0; axis < D; ++axis)
+      result[axis] = line(axis, tree_.end({node.level - 1, node.corner}, axis));
+    return result;
+  }
+
+  [[nodiscard]] Sides child_sides(const Node& node, unsigned child, const std::array<I, D>& middle) const
+  {
+    Sides sides = stack_[node.level];
+    for (std::size_t axis = 0; axis < D; ++axis)
+      ((child >> axis & 1) != 0 ? sides[axis].first : sides[axis].second) = middle[axis];
+    return sides;
+  }
+
+  bool may_vanish(const Box<I, D>& box)
+  {
+    return std::all_of(bounders_.begin(), bounders_.end(), [&](const B& bounder) {
+      ++result_.counters.bounds;
+      return contains_zero(bounder.bound(box));
+    });
+  }
+
+  [[nodiscard]] bool has_sampled_zero(const Sides& sides) const
+  {
+    bool has_positive = false;
+    bool has_negative = false;
+    for (unsigned corner = 0; corner < (1U << D); ++corner) {
+      std::array<I, D> point;
+      for (std::size_t axis = 0; axis < D; ++axis)
+        point[axis] = (corner >> axis & 1) != 0 ? sides[axis].second : sides[axis].first;
+      bool is_zero = true;
+      for (const auto& f : system_) {
+        const I value = evaluate(f, point);
+        is_zero = is_zero && Interval_traits<I>::lower_sign(value) == 0 && Interval_traits<I>::upper_sign(value) == 0;
+        has_positive = has_positive || strict_sign(value) > 0;
+        has_negative = has_negative || strict_sign(value) < 0;
+      }
+      if (is_zero) return true;
+    }
+    return system_.size() == 1 && has_positive && has_negative;
+  }
+
+  // Whether some subcell is not excluded.
+  bool survives(const Rational_box<D>& box, unsigned depth)
+  {
+    ++result_.counters.subdivisions;
+    bool is_kept = false;
+    for (unsigned child = 0; child < (1U << D); ++child) {
+      Rational_box<D> half = box;
+      for (std::size_t axis = 0; axis < D; ++axis) {
+        const Rational middle = (box[axis].lower() + box[axis].upper()) / 2;
+        half[axis] = (child >> axis & 1) != 0 ? Rational_interval(middle, box[axis].upper())
+                                              : Rational_interval(box[axis].lower(), middle);
+      }
+      if (may_vanish(enclose<I>(half)) && (depth == 1 || survives(half, depth - 1))) is_kept = true;
+    }
+    return is_kept;
+  }
+
+  void emit(const Node& cell, Verdict verdict)
+  {
+    if (++emitted_ > options_.cell_budget)
+      throw Budget_exceeded("localize: more than " + std::to_string(options_.cell_budget)
+                            + " cells are not empty; expected at most that many");
+    result_.cells.append(cell.corner, verdict);
+  }
+
+  // Adds the node's share of the grid to what is done.
+  void report(const Node& node)
+  {
+    double share = 1;
+    for (std::size_t axis = 0; axis < D; ++axis)
+      share *= (tree_.end(node, axis) - node.corner[axis]) / static_cast<double>(grid_.resolution()[axis]);
+    done_ += share;
+    if (options_.progress && ++reports_ % 256 == 0 && !options_.progress(std::min(done_, 1.0)))
+      throw Cancelled("localize: stopped on request");
+  }
+
+  System system_;
+  std::vector<B> bounders_;
+  Grid<D> grid_;
+  Localization_options options_;
+  Subdivision_tree<D> tree_;
+  std::vector<Sides> stack_;
+  std::vector<std::array<I, D>> middles_;
+  std::array<I, D> middle_{};
+  Localization<D> result_;
+  std::uint64_t emitted_ = 0;
+  std::uint64_t reports_ = 0;
+  double done_ = 0;
+};
+
+} // namespace corral
+
+#endif

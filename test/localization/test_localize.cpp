@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <corral/bounders/Modified_affine_bounder.h>
+#include <corral/bounders/Recursive_taylor_bounder.h>
+#include <corral/localization/localize.h>
+#include <corral/number/Nearest_interval.h>
+#include <corral/number/Outward_interval.h>
+#include <corral/number/Rational_interval.h>
+#include <corral/polynomial/arithmetic.h>
+#include <corral/polynomial/evaluate.h>
+#include <corral/polynomial/parse.h>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace corral;
+using Curve = Polynomial<Rational, 2>;
+
+Curve curve(const char* text) { return parse_polynomial<2>(text, {"x", "y"}); }
+
+Grid<2> unit_grid(std::uint32_t nx, std::uint32_t ny)
+{
+  return Grid<2>({Rational_interval(0, 1), Rational_interval(0, 1)}, {nx, ny});
+}
+
+// Twenty lines whose slopes and offsets spread over many magnitudes.
+Curve twenty_lines()
+{
+  Curve product = curve("1");
+  for (int k = 1; k <= 20; ++k)
+    product = product
+              * collect<Rational, 2>({{{1, 0}, Rational(3 * k + 1)},
+                                      {{0, 1}, Rational(k % 2 == 0 ? 41 - k : k - 41)},
+                                      {{0, 0}, Rational(-k * k, 7)}});
+  return product;
+}
+
+// Cells in which exact arithmetic sees a change of sign and which the set lacks.
+std::size_t lost_cells(const Curve& f, const Grid<2>& grid, const Cell_set<2>& cells)
+{
+  std::size_t lost = 0;
+  const auto sign_at = [&](std::uint32_t i, std::uint32_t j) {
+    return sgn(evaluate(f, std::array<Rational, 2>{grid.line(0, i), grid.line(1, j)}));
+  };
+  std::vector<std::vector<int>> signs(grid.resolution()[0] + 1);
+  for (std::uint32_t i = 0; i < signs.size(); ++i)
+    for (std::uint32_t j = 0; j <= grid.resolution()[1]; ++j) signs[i].push_back(sign_at(i, j));
+  for (std::uint32_t i = 0; i < grid.resolution()[0]; ++i)
+    for (std::uint32_t j = 0; j < grid.resolution()[1]; ++j) {
+      const auto corners = {signs[i][j], signs[i + 1][j], signs[i][j + 1], signs[i + 1][j + 1]};
+      const bool is_hit = std::min(corners) <= 0 && std::max(corners) >= 0;
+      if (is_hit && cells.at({i, j}) == Verdict::empty) ++lost;
+    }
+  return lost;
+}
+
+TEST(Localize, loses_no_cell_over_a_guaranteed_type_and_some_over_plain_doubles)
+{
+  const Curve f = twenty_lines();
+  const auto grid = unit_grid(256, 256);
+  const auto outward = localize<Recursive_taylor_bounder<Outward_interval, 2>>({f}, grid);
+  EXPECT_TRUE(outward.is_guaranteed);
+  EXPECT_EQ(lost_cells(f, grid, outward.cells), 0U);
+  const auto nearest = localize<Recursive_taylor_bounder<Nearest_interval, 2>>({f}, grid);
+  EXPECT_FALSE(nearest.is_guaranteed);
+  EXPECT_GT(lost_cells(f, grid, nearest.cells), 0U); // negative control
+}
+
+TEST(Localize, loses_no_cell_of_grids_that_are_no_powers_of_two)
+{
+  for (const char* const text : {"x^2 + y^2 - 1/2", "y - x^3", "x - 1/3", "x*y - 1/10"}) {
+    const Curve f = curve(text);
+    for (const auto& grid : {unit_grid(100, 7), unit_grid(1, 33), unit_grid(64, 65)}) {
+      const auto found =
+          localize<Modified_affine_bounder<Outward_interval, 2>>({f}, grid, {.sample = true, .refine_depth = 2});
+      EXPECT_EQ(lost_cells(f, grid, found.cells), 0U) << text;
+    }
+  }
+}
+
+TEST(Localize, calls_hit_what_changes_sign)
+{
+  const auto grid = unit_grid(50, 50);
+  const Curve f = curve("x^2 + y^2 - 1/2");
+  const auto found = localize<Recursive_taylor_bounder<Outward_interval, 2>>({f}, grid, {.sample = true});
+  EXPECT_GT(found.cells.hit(), 50U);
+  found.cells.for_each([&](const Cell<2>& cell, Verdict verdict) {
+    if (verdict != Verdict::hit) return;
+    int low = 1;
+    int high = -1;
+    for (std::uint32_t corner = 0; corner < 4; ++corner) {
+      const int sign = sgn(
+          evaluate(f, std::array<Rational, 2>{grid.line(0, cell[0] + corner % 2), grid.line(1, cell[1] + corner / 2)}));
+      low = std::min(low, sign);
+      high = std::max(high, sign);
+    }
+    EXPECT_TRUE(low <= 0 && high >= 0);
+  });
+}
+
+TEST(Localize, keeps_a_common_zero_of_two_curves)
+{
+  const auto found = localize<Recursive_taylor_bounder<Rational_interval, 2>>(
+      {curve("x^2 + y^2 - 1/2"), curve("x - y")}, unit_grid(64, 64), {.sample = true, .refine_depth = 1});
+  EXPECT_NE(found.cells.at({32, 32}), Verdict::empty); // x = y = 1/2
+  EXPECT_EQ(found.cells.at({31, 31}), Verdict::hit);   // the same point, a corner of both
+  EXPECT_LT(found.cells.plotted(), 10U);
+}
+
+TEST(Localize, stops_when_told_to)
+{
+  const auto grid = unit_grid(256, 256);
+  using Bounder = Recursive_taylor_bounder<Outward_interval, 2>;
+  const std::vector<Curve> system{curve("x^2 + y^2 - 1/2")};
+  EXPECT_THROW(static_cast<void>(localize<Bounder>(system, grid, {.cell_budget = 10})), Budget_exceeded);
+  EXPECT_THROW(static_cast<void>(localize<Bounder>(system, grid, {.progress = [](double) { return false; }})),
+               Cancelled);
+  EXPECT_THROW(static_cast<void>(localize<Bounder>({Curve()}, grid)), Invalid_input);
+  EXPECT_THROW(static_cast<void>(localize<Bounder>({}, grid)), Invalid_input);
+}
+
+} // namespace
