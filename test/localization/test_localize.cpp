@@ -11,6 +11,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace {
 
 using namespace corral;
@@ -71,8 +74,8 @@ TEST(Localize, loses_no_cell_of_grids_that_are_no_powers_of_two)
   for (const char* const text : {"x^2 + y^2 - 1/2", "y - x^3", "x - 1/3", "x*y - 1/10"}) {
     const Curve f = curve(text);
     for (const auto& grid : {unit_grid(100, 7), unit_grid(1, 33), unit_grid(64, 65)}) {
-      const auto found =
-          localize<Modified_affine_bounder<Outward_interval, 2>>({f}, grid, {.sample = true, .refine_depth = 2});
+      const auto found = localize<Modified_affine_bounder<Outward_interval, 2>>(
+          {f}, grid, {.sample = true, .refine_depth = 2, .progress = {}});
       EXPECT_EQ(lost_cells(f, grid, found.cells), 0U) << text;
     }
   }
@@ -82,7 +85,8 @@ TEST(Localize, calls_hit_what_changes_sign)
 {
   const auto grid = unit_grid(50, 50);
   const Curve f = curve("x^2 + y^2 - 1/2");
-  const auto found = localize<Recursive_taylor_bounder<Outward_interval, 2>>({f}, grid, {.sample = true});
+  const auto found =
+      localize<Recursive_taylor_bounder<Outward_interval, 2>>({f}, grid, {.sample = true, .progress = {}});
   EXPECT_GT(found.cells.hit(), 50U);
   found.cells.for_each([&](const Cell<2>& cell, Verdict verdict) {
     if (verdict != Verdict::hit) return;
@@ -101,7 +105,8 @@ TEST(Localize, calls_hit_what_changes_sign)
 TEST(Localize, keeps_a_common_zero_of_two_curves)
 {
   const auto found = localize<Recursive_taylor_bounder<Rational_interval, 2>>(
-      {curve("x^2 + y^2 - 1/2"), curve("x - y")}, unit_grid(64, 64), {.sample = true, .refine_depth = 1});
+      {curve("x^2 + y^2 - 1/2"), curve("x - y")}, unit_grid(64, 64),
+      {.sample = true, .refine_depth = 1, .progress = {}});
   EXPECT_NE(found.cells.at({32, 32}), Verdict::empty); // x = y = 1/2
   EXPECT_EQ(found.cells.at({31, 31}), Verdict::hit);   // the same point, a corner of both
   EXPECT_LT(found.cells.plotted(), 10U);
@@ -112,7 +117,8 @@ TEST(Localize, stops_when_told_to)
   const auto grid = unit_grid(256, 256);
   using Bounder = Recursive_taylor_bounder<Outward_interval, 2>;
   const std::vector<Curve> system{curve("x^2 + y^2 - 1/2")};
-  EXPECT_THROW(static_cast<void>(localize<Bounder>(system, grid, {.cell_budget = 10})), Budget_exceeded);
+  EXPECT_THROW(static_cast<void>(localize<Bounder>(system, grid, {.cell_budget = 10, .progress = {}})),
+               Budget_exceeded);
   EXPECT_THROW(static_cast<void>(localize<Bounder>(system, grid, {.progress = [](double) { return false; }})),
                Cancelled);
   EXPECT_THROW(static_cast<void>(localize<Bounder>({Curve()}, grid)), Invalid_input);
