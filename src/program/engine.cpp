@@ -53,7 +53,7 @@ Localize_answer<D> localize_by_name(const std::vector<Polynomial<Rational, D>>& 
     throw Invalid_input("engine: given '" + settings.engine + "'; expected fast or paper");
   const auto start = std::chrono::steady_clock::now();
   Localize_answer<D> answer =
-    settings.engine == "fast" ? fast<D>(system, grid, settings) : paper<D>(system, grid, settings);
+      settings.engine == "fast" ? fast<D>(system, grid, settings) : paper<D>(system, grid, settings);
   answer.work.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return answer;
 }

@@ -25,6 +25,7 @@ struct Localize_arguments
   std::string variables;
   Localize_settings settings;
   bool plus = false;
+  bool names_engine = false;
   bool exact = false;
   unsigned repeat = 1;
   std::vector<std::string> outputs;
@@ -139,6 +140,7 @@ Outcome<D> compute(const std::vector<Polynomial<Rational, D>>& system, const Gri
   Localize_settings settings = arguments.settings;
   settings.refine = settings.refine || arguments.plus;
   settings.sample = settings.sample || arguments.plus;
+  if (!arguments.names_engine && (D < 2 || D > 3)) settings.engine = "paper"; // the fast one is of 2 and 3 dimensions
   settings.progress = [&](double done) { return progress(done); };
   if (D == 1 && arguments.exact && settings.engine == "fast") settings.engine = "exact";
   Outcome<D> outcome;
@@ -198,6 +200,13 @@ void localize_command(const Localize_arguments& arguments)
   with_dimension(space, [&](auto dimension) { localize_in<dimension>(arguments, space, texts); });
 }
 
+// Whether an option is given that only the paper's engine heeds.
+bool names_paper_option(const CLI::App& command)
+{
+  const auto options = {"--bounder", "--order", "--number", "--precision", "--sample", "--refine", "--plus", "--count"};
+  return std::any_of(options.begin(), options.end(), [&](const char* option) { return command.count(option) > 0; });
+}
+
 } // namespace
 
 void add_localize(CLI::App& app)
@@ -220,9 +229,9 @@ void add_localize(CLI::App& app)
   command->add_option("--order", settings.method.order, "order of the recursive Taylor method")->capture_default_str();
   command->add_option("--number", settings.method.number, "number type; see corral list")->capture_default_str();
   command->add_option("--precision", settings.method.precision, "bits of number type mpfr")->capture_default_str();
-  command->add_option("--engine", settings.engine, "paper: the subdivision of the paper; fast: Taylor forms in doubles")
-      ->check(CLI::IsMember({"fast"}))
-      ->capture_default_str();
+  command->add_option("--engine", settings.engine, "fast: Taylor forms in doubles; paper: the subdivision of the paper")
+      ->check(CLI::IsMember({"fast", "paper"}))
+      ->default_str("fast; paper where one of its options is given");
   command->add_option("--threads", settings.threads, "threads of the fast engine; 0: one for each processor")
       ->capture_default_str();
   command
@@ -235,6 +244,7 @@ void add_localize(CLI::App& app)
   command->add_flag("--sample", settings.sample, "look for a change of sign at the corners of a cell");
   command->add_flag("--refine", settings.refine, "cut each remaining cell once more before it is plotted");
   command->add_flag("--plus", arguments->plus, "--sample and --refine: the paper's RT++ and MAA++");
+  command->add_flag("--count", settings.count, "count additions and multiplications (paper's engine)");
   command->add_option("--max-cells", settings.max_cells, "fail when more cells would be plotted")
       ->capture_default_str();
   command->add_option("--output", arguments->outputs, "file to write, of a kind told by its ending; may be repeated")
@@ -252,7 +262,11 @@ void add_localize(CLI::App& app)
       "  corral localize 'x^2+y^2+z^2-4' '(x-1)^2+y^2-1' --box -2:2,-2:2,-2:2 --resolution 64 --output v.ply\n"
       "  corral localize 'x^4 + y^4 - 2*x^2*y^2' --box -1:1,-1:1 --resolution 256 --exact --output cross.svg\n"
       "  corral localize 'y - x^3' --box -1:1,-1:1 --resolution 40,20 --format text");
-  command->callback([arguments] { localize_command(*arguments); });
+  command->callback([arguments, command] {
+    arguments->names_engine = command->count("--engine") > 0;
+    if (!arguments->names_engine && names_paper_option(*command)) arguments->settings.engine = "paper";
+    localize_command(*arguments);
+  });
 }
 
 } // namespace corral::program
