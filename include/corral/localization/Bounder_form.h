@@ -37,7 +37,8 @@ public:
   /// \pre One bounder for each polynomial, in the same order. An `Arithmetic_scope` of I is alive.
   Bounder_form(System system, std::vector<B> bounders, Grid<D> grid, Localization_options options)
       : system_(std::move(system)), bounders_(std::move(bounders)), grid_(std::move(grid)),
-        options_(std::move(options)), tree_(grid_.resolution()), stack_(tree_.root().level + 1)
+        options_(std::move(options)), tree_(grid_.resolution()), stack_(tree_.root().level + 1),
+        middles_(stack_.size())
   {}
 
   bool begin(const Node& root)
@@ -60,17 +61,15 @@ public:
   unsigned split(const Node& node, unsigned children)
   {
     ++result_.counters.subdivisions;
-    middle_ = middle(node);
+    middles_[node.level] = middle(node);
     unsigned kept = 0;
     for (unsigned rest = children; rest != 0; rest &= rest - 1) {
       const auto child = static_cast<unsigned>(std::countr_zero(rest));
-      if (may_vanish(box_of(child_sides(node, child, middle_))))
+      if (may_vanish(box_of(child_sides(node, child, middles_[node.level]))))
         kept |= 1U << child;
       else
         report(tree_.child(node, child));
     }
-    middles_.resize(std::max<std::size_t>(middles_.size(), node.level + 1));
-    middles_[node.level] = middle_;
     return kept;
   }
 
@@ -186,8 +185,7 @@ private:
   Localization_options options_;
   Subdivision_tree<D> tree_;
   std::vector<Sides> stack_;
-  std::vector<std::array<I, D>> middles_;
-  std::array<I, D> middle_{};
+  std::vector<std::array<I, D>> middles_; // of the last split at each level
   Localization<D> result_;
   std::uint64_t emitted_ = 0;
   std::uint64_t reports_ = 0;
