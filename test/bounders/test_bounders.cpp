@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "conformance/bounder_conformance.h"
+#include "rounds.h"
 
 #include <corral/bounders/Any_bounder.h>
 #include <corral/bounders/all.h>
@@ -7,6 +7,8 @@
 #include <corral/number/Outward_interval.h>
 #include <corral/number/Rational_interval.h>
 #include <corral/polynomial/substitution.h>
+#include <corral/verification/Trouble_source.h>
+#include <corral/verification/audit_cases.h>
 
 #include <gtest/gtest.h>
 
@@ -37,16 +39,16 @@ void expect_range(const Exact& bound, const Rational& low, const Rational& high,
 template <std::size_t D>
 void check_relations(std::uint64_t seed)
 {
-  Random random(seed);
   int maa_is_tighter = 0;
   int bernstein_is_tighter = 0;
   for (int round = 0; round < rounds(60); ++round) {
-    const auto example = random_case<D>(random);
-    const auto f = over_points(example.f);
-    const auto centred = Centred_bounder<Exact, D>(f).bound(example.box);
-    const auto maa = Modified_affine_bounder<Exact, D>(f).bound(example.box);
-    const auto bernstein = Bernstein_bounder<Exact, D>(f).bound(example.box);
-    const auto both = Best_intersection<Exact, D>(f).bound(example.box);
+    const auto example = generated_case<D>(seed, static_cast<std::uint64_t>(round));
+    const auto& box = example.boxes.front().box;
+    const auto f = over_points(example.polynomial);
+    const auto centred = Centred_bounder<Exact, D>(f).bound(box);
+    const auto maa = Modified_affine_bounder<Exact, D>(f).bound(box);
+    const auto bernstein = Bernstein_bounder<Exact, D>(f).bound(box);
+    const auto both = Best_intersection<Exact, D>(f).bound(box);
     EXPECT_TRUE(is_inside(maa, centred));
     EXPECT_TRUE(is_inside(bernstein, centred));
     EXPECT_TRUE(is_inside(both, maa) && is_inside(both, bernstein));
@@ -67,19 +69,19 @@ TEST(Bounders, maa_and_bernstein_lie_inside_the_centred_form)
 template <std::size_t D>
 void check_expansion(std::uint64_t seed)
 {
-  Random random(seed);
-  for (int round = 0; round < 40; ++round) {
-    const auto example = random_case<D>(random);
-    const auto expansion = Scaled_taylor<Exact, D>(over_points(example.f)).expand(example.box);
+  for (std::uint64_t number = 0; number < 40; ++number) {
+    const auto example = generated_case<D>(seed, number);
+    const auto& box = example.boxes.front().box;
+    const auto expansion = Scaled_taylor<Exact, D>(over_points(example.polynomial)).expand(box);
     std::array<Rational, D> centre;
     for (std::size_t axis = 0; axis < D; ++axis) {
-      const auto& side = example.box[axis];
+      const auto& side = box[axis];
       centre[axis] = (side.lower() + side.upper()) / 2;
       EXPECT_EQ(expansion.radius[axis].lower(), (side.upper() - side.lower()) / 2);
     }
     std::vector<typename Polynomial<Rational, D>::Term> terms;
     for (const auto& term : expansion.taylor.terms()) terms.push_back({term.exponents, term.coefficient.lower()});
-    EXPECT_EQ((collect<Rational, D>(std::move(terms))), taylor_shift(example.f, centre));
+    EXPECT_EQ((collect<Rational, D>(std::move(terms))), taylor_shift(example.polynomial, centre));
   }
 }
 
@@ -93,18 +95,18 @@ TEST(Scaled_taylor, agrees_with_the_exact_shift)
 
 TEST(Bounders, are_exact_at_points)
 {
-  Random random(5);
-  for (int round = 0; round < 20; ++round) {
-    auto example = random_case<3>(random);
+  for (std::uint64_t number = 0; number < 20; ++number) {
+    const auto example = generated_case<3>(5, number);
+    auto box = example.boxes.front().box;
     std::array<Rational, 3> point;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      point[axis] = example.box[axis].upper();
-      example.box[axis] = Exact(point[axis]);
+      point[axis] = box[axis].upper();
+      box[axis] = Exact(point[axis]);
     }
-    const Rational value = evaluate(example.f, point);
+    const Rational value = evaluate(example.polynomial, point);
     Bounders::for_each<Exact, 3>([&](auto bounder) {
       using B = typename decltype(bounder)::type;
-      expect_range(B(over_points(example.f)).bound(example.box), value, value, B::name);
+      expect_range(B(over_points(example.polynomial)).bound(box), value, value, B::name);
     });
   }
 }
@@ -122,14 +124,14 @@ TEST(Bounders, are_exact_for_affine_functions)
 
 TEST(Bernstein_bounder, is_exact_for_multilinear_polynomials)
 {
-  Random random(6);
+  Trouble_source random(6);
   for (int round = 0; round < 20; ++round) {
     std::vector<Polynomial<Rational, 3>::Term> terms;
     for (std::uint16_t i = 0; i < 2; ++i)
       for (std::uint16_t j = 0; j < 2; ++j)
         for (std::uint16_t k = 0; k < 2; ++k) terms.push_back({{i, j, k}, random.full_mantissa()});
     const Polynomial<Rational, 3> f(std::move(terms));
-    const auto box = random_case<3>(random).box;
+    const auto box = generated_case<3>(6, static_cast<std::uint64_t>(round)).boxes.front().box;
     std::vector<Rational> values;
     for (unsigned bits = 0; bits < 8; ++bits) {
       std::array<Rational, 3> corner;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <corral/localization/localize_fast.h>
+#include <corral/verification/Trouble_source.h>
 
-#include "conformance/Random.h"
 #include "exact_cells.h"
 #include "localization/fast/Fast_plan.h"
 #include "paper_polynomials.h"
+#include "rounds.h"
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
@@ -12,10 +13,9 @@
 namespace {
 
 using namespace corral;
-using test::Random;
 
 template <std::size_t D>
-Polynomial<Rational, D> random_polynomial(Random& random, unsigned degree)
+Polynomial<Rational, D> random_polynomial(Trouble_source& random, unsigned degree)
 {
   std::vector<typename Polynomial<Rational, D>::Term> terms;
   for (int count = static_cast<int>(random.integer(2, 14)); count > 0; --count) {
@@ -31,7 +31,7 @@ Polynomial<Rational, D> random_polynomial(Random& random, unsigned degree)
 }
 
 template <std::size_t D>
-Grid<D> random_grid(Random& random, long most_cells)
+Grid<D> random_grid(Trouble_source& random, long most_cells)
 {
   Rational_box<D> box;
   Resolution<D> resolution;
@@ -60,7 +60,7 @@ void for_each_cell(const Resolution<D>& resolution, const Function& function)
 template <std::size_t D>
 std::string find_wrong_verdict(std::uint64_t seed, int rounds, long most_cells)
 {
-  Random random(seed);
+  Trouble_source random(seed);
   for (int round = 0; round < rounds; ++round) {
     const auto f = random_polynomial<D>(random, static_cast<unsigned>(random.integer(1, 7)));
     const auto grid = random_grid<D>(random, most_cells);
@@ -104,7 +104,7 @@ Cell_set<D> run(const fast::Plan<D>& plan)
 template <std::size_t D>
 std::string find_rounding_fault(std::uint64_t seed, int rounds, bool with_remainder)
 {
-  Random random(seed);
+  Trouble_source random(seed);
   for (int round = 0; round < rounds; ++round) {
     const auto grid = random_grid<D>(random, D == 2 ? 40 : 12);
     std::array<Rational, D> point;
@@ -174,7 +174,7 @@ std::uint64_t check_corners(const Polynomial<Rational, 2>& f, const Grid<2>& gri
 
 TEST(Localize_fast, agrees_with_the_exact_signs_of_all_corners)
 {
-  Random random(5);
+  Trouble_source random(5);
   std::uint64_t checked = 0;
   for (int round = 0; round < test::rounds(20); ++round)
     checked += check_corners(random_polynomial<2>(random, static_cast<unsigned>(random.integer(2, 9))),
@@ -199,7 +199,7 @@ std::vector<Cell_set<2>> varied_results(const Fast_options& options)
   std::vector<Cell_set<2>> results;
   for (const std::size_t k : {2U, 3U, 8U})
     results.push_back(localize_fast(test::paper_curve(k), test::paper_grid_2(4096), options).cells);
-  Random random(6);
+  Trouble_source random(6);
   for (int round = 0; round < 20; ++round)
     results.push_back(localize_fast(random_polynomial<2>(random, 9), random_grid<2>(random, 3000), options).cells);
   return results;

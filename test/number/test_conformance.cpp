@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "conformance/number_conformance.h"
 #include "number/Faulty_interval.h"
+#include "rounds.h"
 
 #include <corral/number/all.h>
+#include <corral/verification/audit_number.h>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +11,14 @@ namespace {
 
 using namespace corral;
 using namespace corral::test;
+
+/// The first counterexample to the contract of `IntervalNumber`, or "" if none was found.
+template <IntervalNumber I>
+std::string find_number_fault(std::uint64_t seed, int cases = rounds(1000))
+{
+  const auto audit = audit_number<I>({.seed = seed, .cases = static_cast<std::uint64_t>(cases)});
+  return audit.first_fault ? audit.first_fault->text : "";
+}
 
 static_assert(IntervalNumber<Nearest_interval> && IntervalNumber<Outward_interval>);
 static_assert(IntervalNumber<Rational_interval> && IntervalNumber<Counted<Outward_interval>>);
@@ -36,7 +45,9 @@ TEST(Number_conformance, wrapper_of_the_negative_controls_is_right)
 TEST(Number_conformance, negative_control_nearest) { EXPECT_NE(find_number_fault<Nearest_interval>(5), ""); }
 TEST(Number_conformance, negative_control_wrong_direction)
 {
-  EXPECT_NE(find_number_fault<Faulty_interval<Sum_rounded_wrongly>>(5).find("wrong sum"), std::string::npos);
+  const auto audit = audit_number<Faulty_interval<Sum_rounded_wrongly>>({.seed = 5});
+  ASSERT_TRUE(audit.first_fault);
+  EXPECT_TRUE(audit.first_fault->operation == "sum" || audit.first_fault->operation == "difference");
 }
 TEST(Number_conformance, negative_control_shrinking)
 {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "conformance/Random.h"
+#include "rounds.h"
 
 #include <corral/number/Cgal_interval.h>
 #include <corral/number/Nearest_interval.h>
 #include <corral/number/Outward_interval.h>
 #include <corral/number/format.h>
+#include <corral/verification/Trouble_source.h>
 
 #include <gtest/gtest.h>
 
@@ -15,7 +16,6 @@
 namespace {
 
 using namespace corral;
-using test::Random;
 using test::rounds;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -35,7 +35,7 @@ template <class I>
 std::string find_looseness(std::uint64_t seed, int number_of_rounds)
 {
   const Arithmetic_scope<I> scope;
-  Random random(seed);
+  Trouble_source random(seed);
   const auto operand = [&random] {
     for (;;)
       if (const auto x = random.interval(); std::isfinite(enclose<I>(x.lower(), x.upper()).lower())
@@ -111,7 +111,7 @@ TEST(Bracket, surrounds_every_rational)
   EXPECT_EQ(bracket(parse_rational("-0x1p1024")).nearest, -infinity);
   EXPECT_EQ(bracket(parse_rational("-1e-100000")).below, -smallest);
   EXPECT_EQ(bracket(parse_rational("1e100000")).above, infinity);
-  Random random(14);
+  Trouble_source random(14);
   for (int round = 0; round < rounds(5000); ++round) {
     const Rational value = random.trouble();
     const auto doubles = bracket(value);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "conformance/Random.h"
+#include "rounds.h"
 
 #include <corral/number/Outward_interval.h>
 #include <corral/number/Rational_interval.h>
 #include <corral/number/format.h>
+#include <corral/verification/Trouble_source.h>
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,7 @@ TEST(Format, hex_floats_are_exact)
   EXPECT_EQ(to_hex_float(Rational(0.1)), "0x1.999999999999ap-4");
   EXPECT_EQ(to_hex_float(Rational(5e-324)), "0x1p-1074");
   EXPECT_EQ(to_hex_float(std::numeric_limits<double>::max()), "0x1.fffffffffffffp+1023");
-  test::Random random(8);
+  Trouble_source random(8);
   for (int round = 0; round < test::rounds(1000); ++round)
     for (const auto end : {bracket(random.trouble()).below, bracket(random.trouble()).above})
       if (std::isfinite(end)) {
@@ -42,7 +43,7 @@ TEST(Format, decimals_enclose)
   EXPECT_EQ(decimal_above(parse_rational("1e30"), 3), "1e30");
   EXPECT_EQ(decimal_above(parse_rational("1.2341e-30"), 4), "1.235e-30");
   EXPECT_EQ(decimal_below(120, 1), "100");
-  test::Random random(9);
+  Trouble_source random(9);
   for (int round = 0; round < test::rounds(1000); ++round) {
     const Rational value = random.trouble();
     const int digits = static_cast<int>(random.integer(1, 40));

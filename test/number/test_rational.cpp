@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "conformance/Random.h"
+#include "rounds.h"
 
 #include <corral/errors.h>
 #include <corral/number/Rational.h>
+#include <corral/verification/Trouble_source.h>
 
 #include <gtest/gtest.h>
 
@@ -67,7 +68,7 @@ TEST(Parse_rational, takes_long_numbers)
 
 TEST(Rational, text_gives_the_same_number_back)
 {
-  corral::test::Random random(7);
+  corral::Trouble_source random(7);
   for (int round = 0; round < corral::test::rounds(1000); ++round) {
     const Rational value = random.trouble();
     EXPECT_EQ(parse_rational(to_string(value)), value);

@@ -14,7 +14,7 @@ namespace corral {
 
 /// \brief Encloses the values of one fixed polynomial f over any box.
 ///
-/// The compiler checks the syntax; `test/conformance/bounder_conformance.h` checks the contract:
+/// The compiler checks the syntax; `verification/audit_bounder.h` checks the contract:
 ///  - inclusion: `bound(X)` contains g(x) for every real x in X and every real polynomial g whose coefficients lie
 ///    in those of f, rounding included if the interval number is guaranteed;
 ///  - X may be flat or a point; its sides are finite;

@@ -35,7 +35,7 @@ struct Interval_traits;
 
 /// \brief A closed interval of reals with arithmetic.
 ///
-/// The compiler checks the syntax. `test/conformance/number_conformance.h` checks the contract of
+/// The compiler checks the syntax. `verification/audit_number.h` checks the contract of
 /// *inclusion*: for every operation op and all reals x in X, y in Y, `X op Y` contains x op y.
 /// A type whose traits say `is_guaranteed == false` promises no inclusion, and no verdict
 /// drawn from it counts as proved.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CORRAL_TEST_CONFORMANCE_RANDOM_H
-#define CORRAL_TEST_CONFORMANCE_RANDOM_H
+#ifndef CORRAL_VERIFICATION_TROUBLE_SOURCE_H
+#define CORRAL_VERIFICATION_TROUBLE_SOURCE_H
 
 #include <corral/number/Rational.h>
 #include <corral/number/Rational_interval.h>
@@ -10,26 +10,24 @@
 #include <cstdlib>
 #include <random>
 
-namespace corral::test {
+namespace corral {
 
-/// `base` rounds, times the environment variable CORRAL_TEST_MULTIPLIER.
-inline int rounds(int base)
-{
-  const char* multiplier = std::getenv("CORRAL_TEST_MULTIPLIER");
-  return base * std::max(1, multiplier == nullptr ? 1 : std::atoi(multiplier));
-}
-
-/// Random exact data biased to where rounding goes wrong. The same seed gives the same data.
-class Random
+/// \brief Random exact data biased to where rounding goes wrong. The same seed gives the same data on every platform.
+class Trouble_source
 {
 public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  explicit Trouble_source(std::uint64_t seed) : engine_(seed) {}
 
-  /// Uniform in [low, high].
-  long integer(long low, long high) { return std::uniform_int_distribution<long>(low, high)(engine_); }
+  /// Every number of [low, high] about as often. \pre low <= high.
+  long integer(long low, long high)
+  {
+    const auto count = static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low) + 1;
+    const std::uint64_t drawn = engine_();
+    return static_cast<long>(static_cast<std::uint64_t>(low) + (count == 0 ? drawn : drawn % count));
+  }
   bool chance(int one_in) { return integer(1, one_in) == 1; }
 
-  /// A number whose mantissa fills a double, of a magnitude around 1.
+  /// A number whose mantissa fills a double, of a magnitude around 1 and of any sign.
   Rational full_mantissa() { return scaled(Integer(integer(1L << 52, (1L << 53) - 1)) * sign(), integer(-56, -48)); }
 
   /// Zero, small integers, full mantissas, neighbours of powers of two, fractions, and both ends of the range of
@@ -52,10 +50,18 @@ public:
     case 6:
       return full_mantissa() * scaled(1, integer(-560, -500)); // products are subnormal
     case 7:
-      return Rational(integer(-1000000, 1000000)) / (3 * integer(1, 1000000) + 1);
+      return fraction();
     default:
       return full_mantissa();
     }
+  }
+
+  /// A fraction of a magnitude up to 10^5 that no binary number equals, as a rule.
+  Rational fraction()
+  {
+    Rational result(integer(-1000000, 1000000), 3 * integer(1, 1000000) + 1);
+    result.canonicalize();
+    return result;
   }
 
   /// A point in a third of the cases; any signs.
@@ -67,9 +73,8 @@ public:
     return {std::min(a, b), std::max(a, b)};
   }
 
-private:
-  int sign() { return chance(2) ? -1 : 1; }
-  static Rational scaled(Integer mantissa, long exponent)
+  /// mantissa * 2^exponent.
+  [[nodiscard]] static Rational scaled(const Integer& mantissa, long exponent)
   {
     Rational result(mantissa);
     const auto shift = static_cast<mp_bitcnt_t>(std::labs(exponent));
@@ -80,9 +85,12 @@ private:
     return result;
   }
 
+private:
+  int sign() { return chance(2) ? -1 : 1; }
+
   std::mt19937_64 engine_;
 };
 
-} // namespace corral::test
+} // namespace corral
 
 #endif

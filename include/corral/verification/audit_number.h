@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CORRAL_TEST_CONFORMANCE_NUMBER_CONFORMANCE_H
-#define CORRAL_TEST_CONFORMANCE_NUMBER_CONFORMANCE_H
-
-#include "conformance/Random.h"
+#ifndef CORRAL_VERIFICATION_AUDIT_NUMBER_H
+#define CORRAL_VERIFICATION_AUDIT_NUMBER_H
 
 #include <corral/number/Interval_number.h>
 #include <corral/number/Rational_interval.h>
+#include <corral/verification/Audit_options.h>
+#include <corral/verification/Trouble_source.h>
 
 #include <array>
 #include <cstdint>
@@ -13,36 +13,51 @@
 #include <string>
 #include <vector>
 
-namespace corral::test {
+namespace corral {
 
-/// \brief The contract of `IntervalNumber`, checked with exact rationals: there is no tolerance, a miss is a bug.
+/// A counterexample to the contract of `IntervalNumber`.
+struct Number_fault
+{
+  std::uint64_t case_number = 0;
+  std::string operation; ///< what went wrong, such as "sum"
+  std::string text;      ///< the whole counterexample on several lines, every number exactly
+};
+
+/// What an audit of a number type saw.
+struct Number_audit
+{
+  std::string number;
+  std::uint64_t cases = 0;  ///< pairs of operands
+  std::uint64_t checks = 0; ///< exact values looked for in results
+  std::uint64_t faults = 0; ///< pairs of operands with a wrong result
+  std::optional<Number_fault> first_fault;
+};
+
+namespace detail {
+
+/// \brief All operations on one pair of operands.
 ///
 /// The operands of every operation are the intervals that `enclose` gave, and the arguments tried are their own exact
 /// end points, zero, and numbers between, so that one missing rounding in one operation shows.
 template <IntervalNumber I>
-class Number_conformance
+class Number_case
 {
 public:
-  explicit Number_conformance(std::uint64_t seed) : random_(seed) {}
-
-  /// The first counterexample with all its inputs, or "" if none was found.
-  std::string find_fault(int rounds)
+  Number_case(std::uint64_t seed, std::uint64_t number) : number_(number), source_(seed * 0x9e3779b97f4a7c15U + number)
   {
-    const Arithmetic_scope<I> scope;
-    for (int round = 0; round < rounds && fault_.empty(); ++round) {
-      const Operand x = operand();
-      const Operand y = chance_of_dependence() ? x : operand();
-      check_enclosure(x);
-      check_end_points(x);
-      check_hull(x, y);
-      check_unary(x);
-      check_binary(x, y);
-    }
-    return fault_;
+    const Operand x = operand();
+    const Operand y = source_.chance(20) ? x : operand();
+    check_enclosure(x);
+    check_end_points(x);
+    check_hull(x, y);
+    check_unary(x);
+    check_binary(x, y);
   }
 
-  /// How many exact values were looked for in a result so far.
+  /// How many exact values were looked for in a result.
   [[nodiscard]] std::uint64_t checks() const { return checks_; }
+  /// The first wrong result.
+  [[nodiscard]] const std::optional<Number_fault>& fault() const { return fault_; }
 
 private:
   struct Operand
@@ -52,11 +67,9 @@ private:
     std::vector<Rational> values;
   };
 
-  bool chance_of_dependence() { return random_.chance(20); }
-
   Operand operand()
   {
-    Operand result{random_.interval(), {}, {}};
+    Operand result{source_.interval(), {}, {}};
     result.interval = enclose<I>(result.given.lower(), result.given.upper());
     const Rational beyond = Rational(Integer(1) << 1100);
     const Rational low = exact_lower(result.interval).value_or(Rational(result.given.lower() - beyond));
@@ -205,26 +218,44 @@ private:
   void expect(bool holds, const char* operation, const Operand& x, const Operand* y = nullptr,
               const I* result = nullptr, const Rational* value = nullptr)
   {
-    if (holds || !fault_.empty()) return;
-    fault_ = std::string(Interval_traits<I>::name) + ": wrong " + operation + "\n  x given = ["
-             + to_string(x.given.lower()) + ", " + to_string(x.given.upper()) + "]\n  x = " + text(x.interval);
-    if (y != nullptr) fault_ += "\n  y = " + text(y->interval);
-    if (result != nullptr) fault_ += "\n  result = " + text(*result);
-    if (value != nullptr) fault_ += "\n  lost value = " + to_string(*value);
+    if (holds || fault_) return;
+    fault_ = Number_fault{number_, operation,
+                          std::string(Interval_traits<I>::name) + ": wrong " + operation + "\n  x given = ["
+                              + to_string(x.given.lower()) + ", " + to_string(x.given.upper())
+                              + "]\n  x = " + text(x.interval)};
+    if (y != nullptr) fault_->text += "\n  y = " + text(y->interval);
+    if (result != nullptr) fault_->text += "\n  result = " + text(*result);
+    if (value != nullptr) fault_->text += "\n  lost value = " + to_string(*value);
   }
 
-  Random random_;
+  std::uint64_t number_;
+  Trouble_source source_;
   std::uint64_t checks_ = 0;
-  std::string fault_;
+  std::optional<Number_fault> fault_;
 };
 
-/// The first counterexample to the contract of `IntervalNumber`, or "" if none was found.
+} // namespace detail
+
+/// \brief The contract of `IntervalNumber`, checked with exact rationals: there is no tolerance, a miss is a fault.
+///
+/// `tightness_cases` of the options is not used. \throw Unsafe_environment as the scope of the type.
 template <IntervalNumber I>
-std::string find_number_fault(std::uint64_t seed, int number_of_rounds = rounds(1000))
+[[nodiscard]] Number_audit audit_number(const Audit_options& options = {})
 {
-  return Number_conformance<I>(seed).find_fault(number_of_rounds);
+  const Arithmetic_scope<I> scope;
+  Number_audit audit{std::string(Interval_traits<I>::name), 0, 0, 0, {}};
+  for (std::uint64_t i = 0; i < options.cases; ++i) {
+    if (options.progress && !options.progress(static_cast<double>(i) / static_cast<double>(options.cases))) break;
+    const detail::Number_case<I> example(options.seed, options.first_case + i);
+    ++audit.cases;
+    audit.checks += example.checks();
+    if (!example.fault()) continue;
+    ++audit.faults;
+    if (!audit.first_fault) audit.first_fault = example.fault();
+  }
+  return audit;
 }
 
-} // namespace corral::test
+} // namespace corral
 
 #endif

@@ -1,0 +1,1 @@
+target_sources(corral PRIVATE audit/audit_cases.cpp)
