@@ -6,7 +6,8 @@
 
 /// \file
 /// The commands of the program, one file each. Every function adds its command to the program; the work is done while
-/// the command line is parsed, and errors are thrown.
+/// the command line is parsed, and errors are thrown. A command that has done its work and found faults throws
+/// CLI::RuntimeError with its exit code.
 namespace corral::program {
 
 void add_localize(CLI::App& app);
@@ -14,6 +15,10 @@ void add_certify(CLI::App& app);
 void add_bound(CLI::App& app);
 void add_reproduce(CLI::App& app);
 void add_list(CLI::App& app);
+void add_audit(CLI::App& app);
+
+/// The commands under `audit`.
+void add_audit_raster(CLI::App& audit);
 
 } // namespace corral::program
 

@@ -62,6 +62,7 @@ int run(int argc, char** argv)
   add_localize(app);
   add_bound(app);
   add_certify(app);
+  add_audit(app);
   add_reproduce(app);
   add_list(app);
 
@@ -83,6 +84,8 @@ int run(int argc, char** argv)
     return interrupted_by() != 0 ? 128 + interrupted_by() : done; // a command may keep what it has proved
   } catch (const CLI::Success& success) {                         // --help and --version
     return app.exit(success);
+  } catch (const CLI::RuntimeError& found) { // the command has said what
+    return found.get_exit_code();
   } catch (const CLI::ParseError& error) {
     return complain(std::string(error.what()) + "; see corral " + (command[0] == '-' ? "" : command + " ") + "--help",
                     bad_usage);
