@@ -6,28 +6,24 @@
 #include <corral/localization/localize_fast.h>
 #include <corral/number/all.h>
 
-#include <chrono>
-
 namespace corral::program {
 
 namespace {
 
 template <std::size_t D>
-Localize_answer<D> fast(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+Localization<D> fast(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
                         const Localize_settings& settings)
 {
   if constexpr (D == 2 || D == 3) {
     const Fast_options options{
         .threads = settings.threads, .cell_budget = settings.max_cells, .progress = settings.progress};
-    auto found =
-        system.size() == 1 ? localize_fast<D>(system[0], grid, options) : localize_fast<D>(system, grid, options);
-    return {std::move(found.cells), {.bounds = found.nodes}, true};
+    return system.size() == 1 ? localize_fast<D>(system[0], grid, options) : localize_fast<D>(system, grid, options);
   } else
     throw Invalid_input("engine fast: given " + std::to_string(D) + " dimensions; expected 2 or 3");
 }
 
 template <std::size_t D>
-Localize_answer<D> paper(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+Localization<D> paper(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
                          Localize_settings settings)
 {
   if (settings.method.number == "counted") { // the name in the list of number types
@@ -35,7 +31,7 @@ Localize_answer<D> paper(const std::vector<Polynomial<Rational, D>>& system, con
     settings.count = true;
   }
   const Mpfr_precision_scope precision(settings.method.precision);
-  Localize_answer<D> answer;
+  Localization<D> answer;
   Number_types::visit(settings.method.number, [&](auto type) {
     using I = typename decltype(type)::type;
     if constexpr (!std::same_as<I, Counted<Outward_interval>>) answer = localize_over<I, D>(system, grid, settings);
@@ -46,20 +42,16 @@ Localize_answer<D> paper(const std::vector<Polynomial<Rational, D>>& system, con
 } // namespace
 
 template <std::size_t D>
-Localize_answer<D> localize_by_name(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+Localization<D> localize_by_name(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
                                     const Localize_settings& settings)
 {
   if (settings.engine != "fast" && settings.engine != "paper")
     throw Invalid_input("engine: given '" + settings.engine + "'; expected fast or paper");
-  const auto start = std::chrono::steady_clock::now();
-  Localize_answer<D> answer =
-      settings.engine == "fast" ? fast<D>(system, grid, settings) : paper<D>(system, grid, settings);
-  answer.work.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return answer;
+  return settings.engine == "fast" ? fast<D>(system, grid, settings) : paper<D>(system, grid, settings);
 }
 
 #define CORRAL_INSTANTIATE(D)                                                                                          \
-  template Localize_answer<D> localize_by_name<D>(const std::vector<Polynomial<Rational, D>>&, const Grid<D>&,         \
+  template Localization<D> localize_by_name<D>(const std::vector<Polynomial<Rational, D>>&, const Grid<D>&,         \
                                                   const Localize_settings&);
 CORRAL_INSTANTIATE(1)
 CORRAL_INSTANTIATE(2)

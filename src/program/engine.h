@@ -2,8 +2,8 @@
 #ifndef CORRAL_PROGRAM_ENGINE_H
 #define CORRAL_PROGRAM_ENGINE_H
 
-#include <corral/localization/Cell_set.h>
-#include <corral/output/Output_options.h>
+#include <corral/localization/Grid.h>
+#include <corral/localization/Localization.h>
 #include <corral/polynomial/Polynomial.h>
 
 #include <cstdint>
@@ -39,29 +39,10 @@ struct Localize_settings
   std::function<bool(double)> progress;
 };
 
-/// What a run cost.
-struct Work
-{
-  std::uint64_t bounds = 0;
-  std::uint64_t subdivisions = 0;
-  std::uint64_t additions = 0;       ///< 0 where they are not counted
-  std::uint64_t multiplications = 0; ///< as well
-  double seconds = 0;                ///< of the computation alone
-};
-
-/// The cells, and what to say of the run.
-template <std::size_t D>
-struct Localize_answer
-{
-  Cell_set<D> cells;
-  Work work;
-  bool is_guaranteed = false;
-};
-
 /// \throw Invalid_input for unknown names; what the localisation throws.
 template <std::size_t D>
-[[nodiscard]] Localize_answer<D> localize_by_name(const std::vector<Polynomial<Rational, D>>& system,
-                                                  const Grid<D>& grid, const Localize_settings& settings);
+[[nodiscard]] Localization<D> localize_by_name(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+                                               const Localize_settings& settings);
 
 } // namespace corral::program
 

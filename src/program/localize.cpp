@@ -53,7 +53,7 @@ void print(const std::string& format, const Grid<D>& grid, const Cell_set<D>& ce
 using Facts = std::vector<std::pair<std::string, Output_options::Fact>>;
 
 // What the summary says of a run.
-Facts facts(const std::vector<std::string>& polynomials, const Localize_settings& settings, const Work& work,
+Facts facts(const std::vector<std::string>& polynomials, const Localize_settings& settings, const Localization_counters& work,
             bool is_guaranteed)
 {
   std::vector<std::pair<std::string, Output_options::Fact>> list{{"polynomials", polynomials},
@@ -123,7 +123,7 @@ Outcome<D> compute(const std::vector<Polynomial<Rational, D>>& system, const Gri
   while (seconds.size() < arguments.repeat && interrupted_by() == 0) {
     const auto start = std::chrono::steady_clock::now();
     auto answer = localize_by_name<D>(system, grid, settings);
-    outcome.facts = facts(texts, settings, answer.work, answer.is_guaranteed);
+    outcome.facts = facts(texts, settings, answer.counters, answer.is_guaranteed);
     if (arguments.exact) {
       if (!answer.is_guaranteed)
         throw Invalid_input("exact: number type " + settings.method.number

@@ -11,25 +11,21 @@
 namespace corral::program {
 
 template <IntervalNumber I, std::size_t D>
-Localize_answer<D> localize_counted_or_not(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
-                                           const Localize_settings& settings)
+Localization<D> localize_counted_or_not(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+                                        const Localize_settings& settings)
 {
   const Localization_options options{.sample = settings.sample,
                                      .refine_depth = settings.refine ? 1U : 0U,
                                      .cell_budget = settings.max_cells,
                                      .progress = settings.progress};
-  auto found = localize<I, D>(system, grid, options, [&](const Polynomial<I, D>& f) {
+  return localize<I, D>(system, grid, options, [&](const Polynomial<I, D>& f) {
     return Any_bounder<I, D>(settings.method.bounder, f, {.order = settings.method.order});
   });
-  const auto& c = found.counters;
-  return {std::move(found.cells),
-          {c.bounds, c.subdivisions, c.additions, c.multiplications, c.seconds},
-          found.is_guaranteed};
 }
 
 template <IntervalNumber I, std::size_t D>
-Localize_answer<D> localize_over(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
-                                 const Localize_settings& settings)
+Localization<D> localize_over(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+                              const Localize_settings& settings)
 {
   return settings.count ? localize_counted_or_not<Counted<I>, D>(system, grid, settings)
                         : localize_counted_or_not<I, D>(system, grid, settings);
@@ -38,9 +34,9 @@ Localize_answer<D> localize_over(const std::vector<Polynomial<Rational, D>>& sys
 } // namespace corral::program
 
 #define CORRAL_INSTANTIATE_PAPER_ENGINE(I, D)                                                                          \
-  template corral::program::Localize_answer<D> corral::program::localize_over<I, D>(                                   \
-    const std::vector<corral::Polynomial<corral::Rational, D>>&, const corral::Grid<D>&,                               \
-    const corral::program::Localize_settings&);
+  template corral::Localization<D> corral::program::localize_over<I, D>(                                               \
+      const std::vector<corral::Polynomial<corral::Rational, D>>&, const corral::Grid<D>&,                             \
+      const corral::program::Localize_settings&);
 
 #define CORRAL_INSTANTIATE_PAPER_ENGINES(I)                                                                            \
   CORRAL_INSTANTIATE_PAPER_ENGINE(I, 1)                                                                                \

@@ -18,7 +18,8 @@ struct Table_options
   std::function<bool(double)> progress; ///< called after each row; `false` stops
 };
 
-/// \brief Computes every row of a table of the paper again and prints it beside what the paper prints.
+/// \brief Computes every row of a table of the paper again and prints it beside what the paper prints, and
+/// beside the exact number of cells that hold a zero.
 /// \throw Cancelled; Invalid_input for an unknown number type.
 void print_table(std::ostream& out, const Paper_table& table, const Table_options& options);
 

@@ -83,7 +83,7 @@ TEST(Localize_fast, agrees_with_exact_subdivision_in_space)
   EXPECT_EQ(find_wrong_verdict<3>(2, test::rounds(60), 11), "");
 }
 
-/// The cells of the plan, all in one piece.
+/// The cells of the plan, all in one piece; those of hidden nodes are unknown.
 template <std::size_t D>
 Cell_set<D> run(const fast::Plan<D>& plan)
 {
@@ -93,6 +93,15 @@ Cell_set<D> run(const fast::Plan<D>& plan)
   fast::subdivide_tasks(plan, plan.root_level, &root, &whole, 1, 0, harvest);
   Cell_set<D> cells;
   cells.append(std::move(harvest.blocks));
+  for (const auto& node : harvest.hidden) {
+    std::array<std::uint32_t, D> blocks;
+    for (std::size_t axis = 0; axis < D; ++axis)
+      blocks[axis] = (plan.span(node.level, axis) + block_side<D> - 1) / block_side<D>;
+    for_each_cell<D>(blocks, [&](Cell<D> index) {
+      for (std::size_t axis = 0; axis < D; ++axis) index[axis] += node.corner[axis] / block_side<D>;
+      cells.append(Cell_block<D>{index, ~std::uint64_t{0}, 0});
+    });
+  }
   cells.finish();
   return cells;
 }
@@ -258,6 +267,23 @@ TEST(Localize_fast, takes_any_size_of_coefficients)
   const auto cells = localize_fast(f, grid).cells;
   for_each_cell<2>(grid.resolution(),
                    [&](const Cell<2>& cell) { EXPECT_EQ(test::contradiction(f, grid, cell, cells.at(cell)), ""); });
+}
+
+TEST(Localize_fast, sees_past_the_rounding_errors_of_a_large_box)
+{
+  // The values reach 2^60 at the ends of the box, and 1 beside the curve.
+  const Rational_interval side(-2, 2);
+  const auto f = parse_polynomial<2>("x^60 + y^60 - 1", {"x", "y"});
+  const Grid<2> grid({side, side}, {1024, 1024});
+  const auto cells = localize_fast(f, grid).cells;
+  EXPECT_GT(cells.hit(), 700U);
+  EXPECT_LT(cells.plotted(), 5000U);
+  Fast_options two;
+  two.threads = 2;
+  EXPECT_EQ(localize_fast(f, grid, two).cells, cells);
+  check_corners(f, Grid<2>({side, side}, {90, 77}));
+  const auto g = parse_polynomial<3>("x^40 + y^40 + z^40 - 1", {"x", "y", "z"});
+  EXPECT_GT(localize_fast(g, Grid<3>({side, side, side}, {96, 96, 96})).cells.hit(), 1000U);
 }
 
 TEST(Localize_fast, intersects_the_cells_of_a_system)

@@ -15,9 +15,10 @@ using namespace corral::test;
 struct Row
 {
   std::string name; // example and method or order
-  double counts[8]; // ours, then the paper's
+  double counts[9]; // ours, the paper's, and the ideal number of cells
   [[nodiscard]] double plotted_difference() const { return counts[0] - counts[4]; }
   [[nodiscard]] double subdivisions_difference() const { return counts[1] - counts[5]; }
+  [[nodiscard]] double ideal() const { return counts[8]; }
   [[nodiscard]] double ratio() const { return (counts[2] + counts[3]) / (counts[6] + counts[7]); }
 };
 
@@ -62,6 +63,7 @@ TEST_P(Paper_tables, come_out_as_printed)
     double logarithms = 0;
     for (const Row& row : rows) {
       EXPECT_LE(row.ratio(), 1) << what << ' ' << row.name;
+      EXPECT_GE(row.counts[0], row.ideal()) << what << ' ' << row.name;
       logarithms += std::log(row.ratio());
       if (std::string(what) == "table2" && of_another_program.contains(row.name)) continue;
       EXPECT_EQ(row.plotted_difference(), 0) << what << ' ' << row.name;
@@ -87,6 +89,15 @@ TEST(Paper_table_1, has_its_exact_zeros_over_rationals)
       EXPECT_EQ(row.counts[1], 1333);
     }
   }
+}
+
+TEST(Paper_tables, have_the_ideal_count_of_each_example)
+{
+  const std::vector<double> ideal{522,  432,  592,  770,  456,  454,  422,  804,  1080, 772,
+                                  1791, 3944, 3712, 3152, 1840, 2032, 4852, 6976, 1544, 3200};
+  for (const char* what : {"table1", "table2"})
+    for (const Row& row : table(what, "double_nearest"))
+      EXPECT_EQ(row.ideal(), ideal[static_cast<std::size_t>(std::stoi(row.name) - 1)]) << row.name;
 }
 
 TEST(Paper_table_2, has_the_counts_of_the_described_method)

@@ -35,7 +35,7 @@ struct Localization_options
   bool sample = false;       ///< look for changes of sign at the corners
   unsigned refine_depth = 0; ///< how often a cell is halved to prove it empty
   std::uint64_t cell_budget = 50'000'000;
-  std::function<bool(double)> progress; ///< called with the share done, 0 to 1; `false` stops
+  std::function<bool(double)> progress{}; ///< called with the share done, 0 to 1; `false` stops
 };
 
 } // namespace corral

@@ -2,8 +2,8 @@
 #ifndef CORRAL_LOCALIZATION_LOCALIZE_FAST_H
 #define CORRAL_LOCALIZATION_LOCALIZE_FAST_H
 
-#include <corral/localization/Cell_set.h>
 #include <corral/localization/Grid.h>
+#include <corral/localization/Localization.h>
 #include <corral/polynomial/Polynomial.h>
 
 #include <cstddef>
@@ -20,15 +20,7 @@ struct Fast_options
   unsigned threads = 1;                                                  ///< 0: one for each processor
   std::uint64_t cell_budget = std::numeric_limits<std::uint64_t>::max(); ///< most plotted cells
   /// Called now and then, from one thread at a time, with the part done (0 to 1); `false` stops the run.
-  std::function<bool(double)> progress;
-};
-
-/// What `localize_fast` found.
-template <std::size_t D>
-struct Fast_localization
-{
-  Cell_set<D> cells;
-  std::uint64_t nodes = 0; ///< nodes of the subdivision tree that were bounded
+  std::function<bool(double)> progress{};
 };
 
 /// \brief The cells of a grid through which the zero set of a polynomial may pass, by subdividing a Taylor form.
@@ -36,7 +28,8 @@ struct Fast_localization
 /// The polynomial is mapped exactly onto the grid and then kept, for every node of the 2^D-tree, in the node's own
 /// coordinates as doubles with a bound of every rounding error so far. Blocks of cells are decided together from the
 /// values at their corners. `empty` and `hit` are proved, whatever the coefficients; all else is `unknown`.
-/// The result is the same, bit for bit, for every instruction set and number of threads.
+/// The cells are the same, bit for bit, for every instruction set and number of threads. Of the counters, `bounds` tells
+/// the nodes of the tree and `seconds` the time.
 ///
 /// \pre D is 2 or 3.
 /// \throw Invalid_input for the zero polynomial; Budget_exceeded if there are more plotted cells than
@@ -44,7 +37,7 @@ struct Fast_localization
 /// \par Complexity  Time and memory proportional to the plotted cells; a node costs O(n^(D+1)) for degree n where n
 ///      falls to 2 towards the cells. Proofs: doc/taylor_form.md.
 template <std::size_t D>
-[[nodiscard]] Fast_localization<D> localize_fast(const Polynomial<Rational, D>& f, const Grid<D>& grid,
+[[nodiscard]] Localization<D> localize_fast(const Polynomial<Rational, D>& f, const Grid<D>& grid,
                                                  const Fast_options& options = {});
 
 /// \brief The same for a system: a cell is plotted unless one of the polynomials has no zero in it.
@@ -52,16 +45,16 @@ template <std::size_t D>
 /// With several polynomials no cell is a `hit`.
 /// \pre `system` is not empty.
 template <std::size_t D>
-[[nodiscard]] Fast_localization<D> localize_fast(const std::vector<Polynomial<Rational, D>>& system,
+[[nodiscard]] Localization<D> localize_fast(const std::vector<Polynomial<Rational, D>>& system,
                                                  const Grid<D>& grid, const Fast_options& options = {});
 
-extern template Fast_localization<2> localize_fast<2>(const Polynomial<Rational, 2>&, const Grid<2>&,
+extern template Localization<2> localize_fast<2>(const Polynomial<Rational, 2>&, const Grid<2>&,
                                                       const Fast_options&);
-extern template Fast_localization<3> localize_fast<3>(const Polynomial<Rational, 3>&, const Grid<3>&,
+extern template Localization<3> localize_fast<3>(const Polynomial<Rational, 3>&, const Grid<3>&,
                                                       const Fast_options&);
-extern template Fast_localization<2> localize_fast<2>(const std::vector<Polynomial<Rational, 2>>&, const Grid<2>&,
+extern template Localization<2> localize_fast<2>(const std::vector<Polynomial<Rational, 2>>&, const Grid<2>&,
                                                       const Fast_options&);
-extern template Fast_localization<3> localize_fast<3>(const std::vector<Polynomial<Rational, 3>>&, const Grid<3>&,
+extern template Localization<3> localize_fast<3>(const std::vector<Polynomial<Rational, 3>>&, const Grid<3>&,
                                                       const Fast_options&);
 
 } // namespace corral

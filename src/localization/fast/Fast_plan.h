@@ -60,6 +60,13 @@ struct Plan
     return tree.halves(level, axis) && (leaf_blocks == 1 || axis != 0 || level != leaf_level + 1);
   }
 
+  /// The cells of a node of this level along `axis`, padding included.
+  [[nodiscard]] std::uint32_t span(unsigned level, std::size_t axis) const
+  {
+    const bool whole = level == leaf_level && level < root_level && !halves(level + 1, axis);
+    return tree.span(whole ? level + 1 : level, axis);
+  }
+
   Monomial_shape<D> shape;
   Subdivision_tree<D> tree;
   Resolution<D> resolution;
@@ -99,13 +106,22 @@ struct Task
   std::size_t count;
 };
 
+/// A node in which the remainder hides the polynomial. A root form of its own, rounded anew, can see more.
+template <std::size_t D>
+struct Hidden_node
+{
+  unsigned level;
+  std::array<std::uint32_t, D> corner;
+};
+
 /// What a worker found.
 template <std::size_t D>
 struct Harvest
 {
   std::vector<Cell_block<D>> blocks;
-  std::vector<Seed<D>> seeds; ///< nodes of `stop_level` that may hold a zero, if the worker had to stop there
-  std::uint64_t nodes = 0;    ///< nodes bounded
+  std::vector<Seed<D>> seeds;         ///< nodes of `stop_level` that may hold a zero, if the worker had to stop there
+  std::vector<Hidden_node<D>> hidden; ///< nodes left undecided
+  std::uint64_t nodes = 0;            ///< nodes bounded
 };
 
 /// The root of the tree.

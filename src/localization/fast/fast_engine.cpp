@@ -77,6 +77,7 @@ private:
   void children(unsigned level, std::size_t k, const double* from);
   void admit(unsigned level, std::size_t k, const double* c);
   unsigned bound(const Cut& cut, const double* c);
+  unsigned hidden(unsigned level, unsigned kept);
   std::size_t drop(unsigned level, std::size_t k, unsigned kept);
   void append(unsigned level, std::size_t k, const double* c, unsigned kept);
   void emit_seeds(unsigned level);
@@ -197,7 +198,8 @@ void Worker<D>::children(unsigned level, std::size_t k, const double* from)
 template <std::size_t D>
 void Worker<D>::admit(unsigned level, std::size_t k, const double* c)
 {
-  const unsigned kept = bound(cut(k), c);
+  unsigned kept = bound(cut(k), c);
+  if (kept != 0 && level < plan_.root_level) kept &= ~hidden(level, kept);
   if (kept == 0) return;
   k = drop(level, k, kept);
   if (level == plan_.leaf_level)
@@ -237,6 +239,22 @@ unsigned Worker<D>::bound(const Cut& cut, const double* c)
   unsigned kept = valid_ & at_most(abs(centre), (spread * set(r.sum) + remainder) * set(r.step));
   for (std::size_t axis = 0; axis < D; ++axis) kept &= below(load(corner_[axis]), set(plan_.resolution[axis]));
   return kept;
+}
+
+/// Hands over the nodes whose remainder is not small beside what the form can change over one cell; returns their
+/// lanes.
+template <std::size_t D>
+unsigned Worker<D>::hidden(unsigned level, unsigned kept)
+{
+  const Octet change = load(child_norm_) * set(plan_.cell_share[level]);
+  const unsigned lanes = kept & at_most(change, load(child_remainder_) * set(4));
+  for (unsigned rest = lanes; rest != 0; rest &= rest - 1) {
+    Hidden_node<D> node{level, {}};
+    for (std::size_t axis = 0; axis < D; ++axis)
+      node.corner[axis] = static_cast<std::uint32_t>(corner_[axis][std::countr_zero(rest)]);
+    harvest_.hidden.push_back(node);
+  }
+  return lanes;
 }
 
 /// Moves the highest degrees into the remainder if, in all lanes, they are small beside what the least gradient in the

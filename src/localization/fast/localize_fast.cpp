@@ -11,6 +11,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <chrono>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -41,14 +42,43 @@ unsigned task_level(const fast::Plan<D>& plan)
   return plan.root_level >= plan.leaf_level + depth + least ? plan.root_level - depth : 0;
 }
 
+/// Calls `some(first, last)` for ranges that cover 0 to `count`, on as many threads as the options ask for.
+template <class Some>
+void in_ranges(std::size_t count, const Fast_options& options, const Some& some)
+{
+  if (count == 0) return;
+  unsigned threads = options.threads;
+  if (threads != 1) { // asking for the processors takes as long as a small curve
+    const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
+    threads = threads == 0 ? processors : std::min(threads, processors);
+  }
+  if (threads == 1 && !options.progress) return some(0, count);
+  if (threads == 1) {
+    for (std::size_t k = 0; k < count; ++k) some(k, k + 1);
+    return;
+  }
+  tbb::task_arena arena(static_cast<int>(threads));
+  arena.execute([&] {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count),
+                      [&](const auto& range) { some(range.begin(), range.end()); });
+  });
+}
+
+template <std::size_t D>
+Localization<D> localize_part(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Fast_options& options);
+
 /// Runs the tasks and reports on them.
 template <std::size_t D>
 class Runner
 {
 public:
-  Runner(const fast::Plan<D>& plan, const Fast_options& options) : plan_(plan), options_(options) {}
+  Runner(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Fast_options& options)
+      : f_(f), grid_(grid), options_(options), plan_(f, grid)
+  {
+    plan_.cell_budget = options.cell_budget;
+  }
 
-  Fast_localization<D> run()
+  Localization<D> run()
   {
     const Nearest_scope environment;
     const fast::Seed<D> root = fast::root_seed(plan_);
@@ -58,58 +88,81 @@ public:
     fast::subdivide_tasks(plan_, plan_.root_level, &root, &whole, 1, level, harvest);
     seeds_ = std::move(harvest.seeds);
     std::stable_sort(seeds_.begin(), seeds_.end(), [](const auto& a, const auto& b) { return a.cut < b.cut; });
-    tasks_ = group(seeds_);
+    const auto tasks = group(seeds_);
+    begin(tasks.size());
     collect(std::move(harvest), 0);
-    run_tasks(level);
+    in_ranges(tasks.size(), options_, [&](std::size_t first, std::size_t last) {
+      const Nearest_scope scope;
+      fast::Harvest<D> found;
+      fast::subdivide_tasks(plan_, level, seeds_.data(), tasks.data() + first, last - first, 0, found);
+      collect(std::move(found), last - first);
+    });
+    begin(hidden_.size());
+    in_ranges(hidden_.size(), options_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) collect(uncover(hidden_[k]), 1);
+    });
     return std::move(result_);
   }
 
 private:
-  void run_tasks(unsigned level)
+  void begin(std::size_t tasks)
   {
-    const auto some = [&](std::size_t first, std::size_t last) {
-      const Nearest_scope environment;
-      fast::Harvest<D> harvest;
-      fast::subdivide_tasks(plan_, level, seeds_.data(), tasks_.data() + first, last - first, 0, harvest);
-      collect(std::move(harvest), last - first);
-    };
-    if (tasks_.empty()) return;
-    unsigned threads = options_.threads;
-    if (threads != 1) { // asking for the processors takes as long as a small curve
-      const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
-      threads = threads == 0 ? processors : std::min(threads, processors);
+    tasks_ = tasks;
+    done_ = 0;
+  }
+
+  /// Localises on the part of the grid that a hidden node covers.
+  fast::Harvest<D> uncover(const fast::Hidden_node<D>& node) const
+  {
+    Rational_box<D> box;
+    Resolution<D> cells;
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      const std::uint32_t first = node.corner[axis];
+      const std::uint32_t last = std::min(first + plan_.span(node.level, axis), grid_.resolution()[axis]);
+      box[axis] = Rational_interval(grid_.line(axis, first), grid_.line(axis, last));
+      cells[axis] = last - first;
     }
-    if (threads == 1 && !options_.progress) return some(0, tasks_.size());
-    if (threads == 1) {
-      for (std::size_t t = 0; t < tasks_.size(); ++t) some(t, t + 1);
-      return;
+    Fast_options options;
+    options.cell_budget = options_.cell_budget;
+    const Localization<D> part = localize_part(f_, Grid<D>(std::move(box), cells), options);
+    fast::Harvest<D> harvest;
+    harvest.nodes = part.counters.bounds;
+    for (auto block : part.cells.blocks()) {
+      for (std::size_t axis = 0; axis < D; ++axis) block.index[axis] += node.corner[axis] / block_side<D>;
+      harvest.blocks.push_back(block);
     }
-    tbb::task_arena arena(static_cast<int>(threads));
-    arena.execute([&] {
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tasks_.size()),
-                        [&](const auto& range) { some(range.begin(), range.end()); });
-    });
+    return harvest;
   }
 
   void collect(fast::Harvest<D>&& harvest, std::size_t tasks)
   {
     const std::scoped_lock lock(mutex_);
-    result_.nodes += harvest.nodes;
+    result_.counters.bounds += harvest.nodes;
     result_.cells.append(std::move(harvest.blocks));
+    hidden_.insert(hidden_.end(), harvest.hidden.begin(), harvest.hidden.end());
     if (result_.cells.blocks().size() > options_.cell_budget) fast::throw_over_budget(options_.cell_budget);
     done_ += tasks;
-    const double part = tasks_.empty() ? 1 : static_cast<double>(done_) / static_cast<double>(tasks_.size());
+    const double part = tasks_ == 0 ? 1 : static_cast<double>(done_) / static_cast<double>(tasks_);
     if (options_.progress && !options_.progress(part)) throw Cancelled("localize_fast: cancelled by the caller");
   }
 
-  const fast::Plan<D>& plan_;
+  const Polynomial<Rational, D>& f_;
+  const Grid<D>& grid_;
   const Fast_options& options_;
+  fast::Plan<D> plan_;
   std::vector<fast::Seed<D>> seeds_;
-  std::vector<fast::Task> tasks_;
   std::mutex mutex_; // guards what follows
-  Fast_localization<D> result_;
+  Localization<D> result_;
+  std::vector<fast::Hidden_node<D>> hidden_;
+  std::size_t tasks_ = 0;
   std::size_t done_ = 0;
 };
+
+template <std::size_t D>
+Localization<D> localize_part(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Fast_options& options)
+{
+  return Runner<D>(f, grid, options).run();
+}
 
 /// The cells that are plotted in both sets; no verdict carries over but `empty`.
 template <std::size_t D>
@@ -129,37 +182,39 @@ Cell_set<D> common_cells(const Cell_set<D>& a, const Cell_set<D>& b)
 } // namespace
 
 template <std::size_t D>
-Fast_localization<D> localize_fast(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Fast_options& options)
+Localization<D> localize_fast(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Fast_options& options)
 {
   if (f.is_zero()) throw Invalid_input("localize_fast: the polynomial is zero; expected one that is not");
-  fast::Plan<D> plan(f, grid);
-  plan.cell_budget = options.cell_budget;
-  auto result = Runner<D>(plan, options).run();
+  const auto start = std::chrono::steady_clock::now();
+  auto result = localize_part(f, grid, options);
   result.cells.finish();
   if (options.cell_budget < std::numeric_limits<std::uint64_t>::max() && result.cells.plotted() > options.cell_budget)
     fast::throw_over_budget(options.cell_budget);
+  result.is_guaranteed = true;
+  result.counters.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }
 
 template <std::size_t D>
-Fast_localization<D> localize_fast(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
-                                   const Fast_options& options)
+Localization<D> localize_fast(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+                              const Fast_options& options)
 {
   if (system.empty()) throw Invalid_input("localize_fast: the system is empty; expected at least one polynomial");
   auto result = localize_fast(system.front(), grid, options);
   for (std::size_t k = 1; k < system.size(); ++k) {
     const auto other = localize_fast(system[k], grid, options);
     result.cells = common_cells(result.cells, other.cells);
-    result.nodes += other.nodes;
+    result.counters.bounds += other.counters.bounds;
+    result.counters.seconds += other.counters.seconds;
   }
   return result;
 }
 
-template Fast_localization<2> localize_fast<2>(const Polynomial<Rational, 2>&, const Grid<2>&, const Fast_options&);
-template Fast_localization<3> localize_fast<3>(const Polynomial<Rational, 3>&, const Grid<3>&, const Fast_options&);
-template Fast_localization<2> localize_fast<2>(const std::vector<Polynomial<Rational, 2>>&, const Grid<2>&,
-                                               const Fast_options&);
-template Fast_localization<3> localize_fast<3>(const std::vector<Polynomial<Rational, 3>>&, const Grid<3>&,
-                                               const Fast_options&);
+template Localization<2> localize_fast<2>(const Polynomial<Rational, 2>&, const Grid<2>&, const Fast_options&);
+template Localization<3> localize_fast<3>(const Polynomial<Rational, 3>&, const Grid<3>&, const Fast_options&);
+template Localization<2> localize_fast<2>(const std::vector<Polynomial<Rational, 2>>&, const Grid<2>&,
+                                          const Fast_options&);
+template Localization<3> localize_fast<3>(const std::vector<Polynomial<Rational, 3>>&, const Grid<3>&,
+                                          const Fast_options&);
 
 } // namespace corral
