@@ -301,8 +301,10 @@ Audit_case<D> generated_case(std::uint64_t seed, std::uint64_t number)
   auto source = source_of(1, seed, number);
   Audit_case<D> result{generated_polynomial<D>(source), {}};
   const auto add = [&](const Rational_box<D>& box) { result.boxes.push_back(probed(source, result.polynomial, box)); };
-  add(random_box<D>(source));
-  add(part_of(source, result.boxes[0].box));
+  const auto whole = random_box<D>(source);
+  add(part_of(source, whole)); // what a bounder remembers of a box is too narrow for the next
+  add(whole);
+  add(part_of(source, whole));
   add(random_box<D>(source));
   return result;
 }

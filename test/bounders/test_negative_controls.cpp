@@ -39,42 +39,6 @@ struct Forgetful_bounder : Modified_affine_bounder<I, D>
   }
 };
 
-/// Takes [0, 1] for u_0, which is odd.
-template <IntervalNumber I, std::size_t D>
-struct Odd_as_even_bounder : Modified_affine_bounder<I, D>
-{
-  static constexpr std::string_view name = "odd_as_even";
-  explicit Odd_as_even_bounder(const Polynomial<I, D>& f) : Modified_affine_bounder<I, D>(f), taylor_(f) {}
-  [[nodiscard]] I bound(const Box<I, D>& box) const
-  {
-    return centred_range(taylor_.expand(box), [](const Exponents<D>& k, const I& c) {
-      return k[0] == 1 ? hull_with_zero(c) : symmetric_hull(c);
-    });
-  }
-  Scaled_taylor<I, D> taylor_;
-};
-
-/// Looks at the corners only.
-template <IntervalNumber I, std::size_t D>
-struct Corner_bounder : Natural_bounder<I, D>
-{
-  static constexpr std::string_view name = "corners";
-  explicit Corner_bounder(const Polynomial<I, D>& f) : Natural_bounder<I, D>(f), f_(f) {}
-  [[nodiscard]] I bound(const Box<I, D>& box) const
-  {
-    std::array<I, D> corner;
-    I range;
-    for (unsigned bits = 0; bits < 1U << D; ++bits) {
-      for (std::size_t axis = 0; axis < D; ++axis)
-        corner[axis] = (bits >> axis & 1U) != 0 ? upper(box[axis]) : lower(box[axis]);
-      const I value = evaluate(f_, corner);
-      range = bits == 0 ? value : hull(range, value);
-    }
-    return range;
-  }
-  Polynomial<I, D> f_;
-};
-
 template <class B>
 bool is_caught()
 {
@@ -87,8 +51,6 @@ void expect_false_bounders_caught()
   using I = Rational_interval;
   EXPECT_TRUE((is_caught<Shrinking_bounder<I, D>>()));
   EXPECT_TRUE((is_caught<Forgetful_bounder<I, D>>()));
-  EXPECT_TRUE((is_caught<Odd_as_even_bounder<I, D>>()));
-  EXPECT_TRUE((is_caught<Corner_bounder<I, D>>()));
 }
 
 TEST(Bounder_conformance, catches_false_bounders)

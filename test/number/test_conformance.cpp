@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "number/Faulty_interval.h"
 #include "rounds.h"
 
 #include <corral/number/all.h>
@@ -38,24 +37,6 @@ TEST(Number_conformance, rational) { EXPECT_EQ(find_number_fault<Rational_interv
 TEST(Number_conformance, counted) { EXPECT_EQ(find_number_fault<Counted<Outward_interval>>(3), ""); }
 TEST(Number_conformance, counted_rational) { EXPECT_EQ(find_number_fault<Counted<Rational_interval>>(4), ""); }
 
-TEST(Number_conformance, wrapper_of_the_negative_controls_is_right)
-{
-  EXPECT_EQ(find_number_fault<Faulty_interval<No_fault>>(5), "");
-}
 TEST(Number_conformance, negative_control_nearest) { EXPECT_NE(find_number_fault<Nearest_interval>(5), ""); }
-TEST(Number_conformance, negative_control_wrong_direction)
-{
-  const auto audit = audit_number<Faulty_interval<Sum_rounded_wrongly>>({.seed = 5});
-  ASSERT_TRUE(audit.first_fault);
-  EXPECT_TRUE(audit.first_fault->operation == "sum" || audit.first_fault->operation == "difference");
-}
-TEST(Number_conformance, negative_control_shrinking)
-{
-  EXPECT_NE(find_number_fault<Faulty_interval<Product_shrinks>>(5), "");
-}
-TEST(Number_conformance, negative_control_square_without_zero)
-{
-  EXPECT_NE(find_number_fault<Faulty_interval<Square_loses_zero>>(5).find("wrong square"), std::string::npos);
-}
 
 } // namespace

@@ -16,6 +16,7 @@ struct Audit_options
   std::uint64_t first_case = 0;
   std::uint64_t cases = 1000;
   std::uint64_t tightness_cases = 0; ///< boxes on which bounds are compared with the exact range (D <= 3)
+  bool stop_at_first = false;        ///< end with the first case that shows a fault
   /// Called before each case with the share done, 0 to 1; `false` stops, and what was counted by then is returned.
   std::function<bool(double)> progress{};
 };

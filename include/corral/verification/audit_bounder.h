@@ -164,6 +164,7 @@ template <IntervalNumber I, std::size_t D, class Make, class Inclusion_case, cla
     if (!goes_on()) return audit;
     const std::uint64_t number = options.first_case + i;
     audit_inclusion<I>(make, inclusion_case(number), number, audit);
+    if (options.stop_at_first && audit.first_escape) return audit;
   }
   if constexpr (D <= 3)
     for (std::uint64_t i = 0; i < tightness_cases && goes_on(); ++i)

@@ -252,6 +252,7 @@ template <IntervalNumber I>
     if (!example.fault()) continue;
     ++audit.faults;
     if (!audit.first_fault) audit.first_fault = example.fault();
+    if (options.stop_at_first) break;
   }
   return audit;
 }
