@@ -1,8 +1,12 @@
-target_sources(corral PRIVATE audit / audit_cases.cpp)
+target_sources(corral PRIVATE audit/audit_cases.cpp)
 
-#Planted faults, for the program's report and the tests; no part of the library.
-    add_library(corral_faults STATIC EXCLUDE_FROM_ALL audit / expansion_faults.cpp audit / method_faults.cpp audit
-                / number_faults.cpp audit / seed_faults.cpp audit / taylor_form_faults.cpp)
-        add_library(Corral::faults ALIAS corral_faults)
-            target_include_directories(corral_faults PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
-                target_link_libraries(corral_faults PUBLIC corral PRIVATE corral_warnings)
+# Planted faults, for the program's report and the tests; no part of the library.
+add_library(corral_faults STATIC EXCLUDE_FROM_ALL
+  audit/expansion_faults.cpp
+  audit/method_faults.cpp
+  audit/number_faults.cpp
+  audit/seed_faults.cpp
+  audit/taylor_form_faults.cpp)
+add_library(Corral::faults ALIAS corral_faults)
+target_include_directories(corral_faults PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+target_link_libraries(corral_faults PUBLIC corral PRIVATE corral_warnings)
