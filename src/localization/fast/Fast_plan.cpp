@@ -61,7 +61,7 @@ Plan<D>::Plan(const Polynomial<Rational, D>& f, const Grid<D>& grid)
     for (std::size_t k = 1; k < shape.size(); ++k)
       if (const double e = shape.exponents()[k][axis]; e > 0 && k != linear[axis])
         weights[axis].push_back({static_cast<std::uint32_t>(k), e, e * (e - 1)});
-    const bool doubled = leaf_blocks == 2 && axis == 0 && root_level > leaf_level;
+    const bool doubled = leaf_blocks == 2 && axis + 1 == D && root_level > leaf_level;
     leaf_cells[axis] = tree.span(leaf_level + (doubled ? 1 : 0), axis);
     for (std::size_t line = 0; line < lattice[axis].size(); ++line)
       lattice[axis][line] = std::min(1.0, -1.0 + 2.0 * static_cast<double>(line) / leaf_cells[axis]);
@@ -72,12 +72,6 @@ Plan<D>::Plan(const Polynomial<Rational, D>& f, const Grid<D>& grid)
     for (std::size_t axis = 0; axis < D; ++axis)
       if (halves(leaf_level + 1, axis)) halvings += exponents[axis];
     leaf_scale.push_back(std::ldexp(1.0, -halvings));
-  }
-  constexpr std::size_t corners = block_side<D> + 1;
-  for (std::size_t row = 0; row < padded_rows; ++row) {
-    std::size_t rest = row;
-    for (std::size_t axis = D; axis-- > 1; rest /= corners)
-      row_coordinate[axis - 1][row] = lattice[axis][rest % corners];
   }
 }
 

@@ -44,12 +44,12 @@ struct Plan
     double curve; ///< e (e - 1)
   };
 
-  /// Corners of a leaf block along all axes but the first, with padding.
-  static constexpr std::size_t padded_rows = D == 2 ? 16 : 32;
+  /// Rows of corners in a leaf, along the last axis, with padding: 9 of 16, or 5 x 5 of 5 x 8.
+  static constexpr std::size_t padded_rows = D == 2 ? 16 : 40;
   /// An undecided cell is looked at on lattices of 2, 4, ... up to this number of pieces a side.
   static constexpr unsigned probe_pieces = D == 2 ? 4 : 2;
 
-  /// Blocks in a leaf: in space two of them lie side by side along axis 0, so that all lanes have work.
+  /// Blocks in a leaf: in space two of them lie side by side along the last axis, so that all lanes have work.
   static constexpr std::size_t leaf_blocks = D == 2 ? 1 : 2;
 
   Plan(const Polynomial<Rational, D>& f, const Grid<D>& grid);
@@ -57,7 +57,7 @@ struct Plan
   /// Whether the children of a node of this level halve `axis`.
   [[nodiscard]] bool halves(unsigned level, std::size_t axis) const
   {
-    return tree.halves(level, axis) && (leaf_blocks == 1 || axis != 0 || level != leaf_level + 1);
+    return tree.halves(level, axis) && (leaf_blocks == 1 || axis + 1 != D || level != leaf_level + 1);
   }
 
   /// The cells of a node of this level along `axis`, padding included.
@@ -82,12 +82,11 @@ struct Plan
   std::vector<double> exact_below;   ///< by tree depth: forms of at most this norm are split into that depth exactly
   double exact_corner; ///< leaf forms of at most this norm are evaluated exactly at the corners of the cells
   double exact_probe;  ///< the same for the points of the finest lattice in a cell
-  std::array<std::vector<Weight>, D> weights;                        ///< by position, without 1 and x_axis
-  std::array<std::size_t, D> linear;                                 ///< position of x_axis
-  std::array<std::size_t, D> square;                                 ///< position of x_axis^2
-  std::array<std::uint32_t, D> leaf_cells;                           ///< cells of a leaf block along each axis
-  std::array<std::array<double, 16>, D> lattice{};                   ///< coordinates of the grid lines of a leaf block
-  std::array<std::array<double, padded_rows>, D - 1> row_coordinate; ///< the same of each row, axes 1 to D-1
+  std::array<std::vector<Weight>, D> weights;      ///< by position, without 1 and x_axis
+  std::array<std::size_t, D> linear;               ///< position of x_axis
+  std::array<std::size_t, D> square;               ///< position of x_axis^2
+  std::array<std::uint32_t, D> leaf_cells;         ///< cells of a leaf block along each axis
+  std::array<std::array<double, 16>, D> lattice{}; ///< coordinates of the grid lines of a leaf block
   std::array<double, D> sag; ///< 1 / (2 leaf_cells^2): how far a unit second derivative bends away from a chord
 };
 

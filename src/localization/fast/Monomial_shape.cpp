@@ -48,9 +48,9 @@ Monomial_shape<D>::Monomial_shape(const Polynomial<Rational, D>& f)
     classes_.push_back({d, degree_end_[d], {}, {}});
     Class& cut = classes_.back();
     for (std::size_t axis = 0; axis < D; ++axis) cut.lines[axis] = lines_of(axis, d);
-    const auto& lines = cut.lines[D - 1].lines;
+    const auto& lines = cut.lines[D - 2].lines;
     for (std::uint32_t k = 0; k < lines.size(); ++k)
-      if (k == 0 || lines[k].rest[0] != lines[k - 1].rest[0]) cut.slab.push_back(k);
+      if (k == 0 || lines[k].rest[D - 1] != lines[k - 1].rest[D - 1]) cut.slab.push_back(k);
     cut.slab.push_back(static_cast<std::uint32_t>(lines.size()));
   }
 }
@@ -118,7 +118,9 @@ auto Monomial_shape<D>::lines_of(std::size_t axis, unsigned degree) const -> Lin
   std::vector<Exponents<D>> rests;
   for (std::size_t k = 0; k < degree_end_[degree]; ++k)
     if (exponents_[k][axis] == 0) rests.push_back(exponents_[k]);
-  std::sort(rests.begin(), rests.end());
+  std::sort(rests.begin(), rests.end(), [](const auto& a, const auto& b) {
+    return std::lexicographical_compare(a.rbegin(), a.rend(), b.rbegin(), b.rend());
+  });
   result.lines.reserve(rests.size());
   result.index.reserve(degree_end_[degree]);
   for (const auto& rest : rests) {

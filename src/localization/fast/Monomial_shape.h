@@ -26,7 +26,7 @@ public:
     std::uint32_t degree; ///< number of monomials - 1
     Exponents<D> rest;    ///< exponents of the other axes; 0 for the axis itself
   };
-  /// The lines of one axis, ordered by `rest`, and the positions of their monomials.
+  /// The lines of one axis, ordered by `rest`, last axis first, and the positions of their monomials.
   struct Lines
   {
     std::vector<Line> lines;
@@ -39,7 +39,7 @@ public:
     std::size_t size;
     std::array<Lines, D> lines;
     std::vector<std::uint32_t>
-        slab; ///< for each exponent of axis 0, its first line in lines[D - 1]; one more at the end
+        slab; ///< for each exponent of axis D - 1, its first line in lines[D - 2]; one more at the end
   };
 
   /// \throw Budget_exceeded if there are more than `max_size` monomials.

@@ -8,7 +8,7 @@
 #include <hwy/foreach_target.h>
 
 #include "Fast_plan.h"
-#include "leaf_block-inl.h"
+#include "leaf_decision-inl.h"
 #include "octet-inl.h"
 #include "taylor_shift-inl.h"
 
@@ -50,15 +50,13 @@ class Worker
 public:
   Worker(const Plan<D>& plan, unsigned stop_level, Harvest<D>& harvest)
       : plan_(plan), stop_level_(stop_level), harvest_(harvest), cuts_(plan.shape.classes().size()),
-        pools_((plan.root_level + 1) * cuts_), level_count_(plan.root_level + 1)
+        pools_((plan.root_level + 1) * cuts_), level_count_(plan.root_level + 1), leaves_(plan, harvest.blocks)
   {
     const std::size_t rows = plan.shape.size() * batch;
     const std::size_t degrees = plan.shape.degree() + std::size_t{1};
-    const std::size_t powers = degrees * Plan<D>::padded_rows;
-    workspace_ = hwy::AllocateAligned<double>(rows * (D + 1) + powers + degrees * batch);
+    workspace_ = hwy::AllocateAligned<double>(rows * (D + 1) + degrees * batch);
     for (std::size_t k = 0; k <= D; ++k) stage_[k] = workspace_.get() + k * rows;
-    powers_ = workspace_.get() + (D + 1) * rows;
-    by_degree_ = powers_ + powers;
+    by_degree_ = workspace_.get() + (D + 1) * rows;
   }
 
   /// Subdivides the seeds of one task. The worker keeps nothing of it but memory.
@@ -81,10 +79,6 @@ private:
   std::size_t drop(unsigned level, std::size_t k, unsigned kept);
   void append(unsigned level, std::size_t k, const double* c, unsigned kept);
   void emit_seeds(unsigned level);
-  void decide_leaves(std::size_t k, const double* c, unsigned kept);
-  void decide_leaf(std::size_t k, const double* c, std::size_t lane);
-  void leaf_thresholds(std::size_t k, const double* c);
-  [[nodiscard]] std::uint64_t inside(const std::array<std::uint32_t, D>& corner) const;
 
   const Plan<D>& plan_;
   unsigned stop_level_;
@@ -92,9 +86,9 @@ private:
   std::size_t cuts_;
   std::vector<Pool<D>> pools_;
   std::vector<std::size_t> level_count_; // nodes of one level
+  Leaf_decision<D> leaves_;
   hwy::AlignedFreeUniquePtr<double[]> workspace_;
   double* stage_[D + 1]; // stage_[k]: coefficients shifted along k axes
-  double* powers_;       // for `Leaf_block`
   double* by_degree_;    // sums of absolute coefficients of one degree
   unsigned valid_ = 0;   // the lanes that hold a node
   alignas(64) double remainder_[batch];
@@ -102,7 +96,6 @@ private:
   alignas(64) double corner_[D][batch];
   alignas(64) double child_remainder_[batch];
   alignas(64) double child_norm_[batch];
-  alignas(64) double threshold_[4][batch];
 };
 
 template <std::size_t D>
@@ -203,7 +196,7 @@ void Worker<D>::admit(unsigned level, std::size_t k, const double* c)
   if (kept == 0) return;
   k = drop(level, k, kept);
   if (level == plan_.leaf_level)
-    decide_leaves(k, c, kept);
+    leaves_.decide({cut(k), c, child_remainder_, child_norm_, corner_, kept});
   else
     append(level, k, c, kept);
 }
@@ -322,101 +315,6 @@ void Worker<D>::emit_seeds(unsigned level)
     from.count = 0;
   }
   level_count_[level] = 0;
-}
-
-/// What corner values must exceed. Along an axis on which f is monotone the extremes lie at corners; along another,
-/// f bends away from its chord by at most the second derivative times an eighth of the squared cell width.
-template <std::size_t D>
-void Worker<D>::leaf_thresholds(std::size_t k, const double* c)
-{
-  const Rounding& r = plan_.rounding;
-  const std::size_t size = cut(k).size;
-  const auto term = [&](std::size_t i) HWY_ATTR { return i < size ? load(c + i * batch) : set(0); };
-  const Octet norm = load(child_norm_);
-  const Octet remainder = load(child_remainder_);
-  const Octet rounded = (norm * set(r.evaluate) + remainder + set(r.underflow)) * set(r.step);
-  const Octet sign = if_at_most(norm, set(plan_.exact_corner), remainder * set(r.step), rounded);
-  Octet convex = set(0);
-  Octet concave = set(0);
-  for (std::size_t axis = 0; axis < D; ++axis) {
-    Octet slope = set(0);
-    Octet curve = set(0);
-    for (const auto& weight : plan_.weights[axis]) {
-      if (weight.position >= size) break;
-      const Octet size_of_term = abs(term(weight.position));
-      slope = slope + size_of_term * set(weight.slope);
-      if (weight.position != plan_.square[axis]) curve = curve + size_of_term * set(weight.curve);
-    }
-    const Octet linear = abs(term(plan_.linear[axis]));
-    const Octet second = term(plan_.square[axis]) * set(2);
-    const auto bend = [&](const Octet& derivative) HWY_ATTR {
-      const Octet most = max((derivative + curve * set(r.sum)) * set(plan_.sag[axis]), set(0));
-      return if_at_most(slope * set(r.sum), linear, set(0), most);
-    };
-    convex = convex + bend(second);
-    concave = concave + bend(set(0) - second);
-  }
-  // Whatever proves a cell empty must be strict, even where nothing was rounded.
-  const Octet least = max(sign, set(least_positive));
-  store(sign, threshold_[0]);
-  store(if_at_most(convex, set(0), least, (least + convex) * set(r.step)), threshold_[1]);
-  store(if_at_most(concave, set(0), least, (least + concave) * set(r.step)), threshold_[2]);
-  store(if_at_most(norm, set(plan_.exact_probe), sign, rounded), threshold_[3]);
-}
-
-template <std::size_t D>
-void Worker<D>::decide_leaves(std::size_t k, const double* c, unsigned kept)
-{
-  if (harvest_.blocks.size() > plan_.cell_budget) throw_over_budget(plan_.cell_budget);
-  leaf_thresholds(k, c);
-  for (; kept != 0; kept &= kept - 1) decide_leaf(k, c, static_cast<std::size_t>(std::countr_zero(kept)));
-}
-
-template <std::size_t D>
-void Worker<D>::decide_leaf(std::size_t k, const double* c, std::size_t lane)
-{
-  const Thresholds thresholds{threshold_[0][lane], threshold_[1][lane], threshold_[2][lane], threshold_[3][lane]};
-  const Leaf_block<D> block(plan_, cut(k), c + lane, thresholds, powers_);
-  auto masks = block.decide();
-  std::array<std::uint32_t, D> corner;
-  for (std::size_t axis = 0; axis < D; ++axis) corner[axis] = static_cast<std::uint32_t>(corner_[axis][lane]);
-  typename Leaf_block<D>::Words cells{};
-  auto unknown = cells;
-  std::uint64_t any_unknown = 0;
-  for (std::size_t b = 0; b < cells.size(); ++b) {
-    auto first = corner;
-    first[0] += static_cast<std::uint32_t>(b) * block_side<D>;
-    cells[b] = masks.empty[b] == ~std::uint64_t{0} || first[0] >= plan_.resolution[0] ? 0 : inside(first);
-    unknown[b] = cells[b] & ~masks.empty[b] & ~masks.hit[b];
-    any_unknown |= unknown[b];
-  }
-  const bool hopeless = child_norm_[lane] < 64 * thresholds.sign; // rounding errors hide everything
-  if (any_unknown != 0 && !hopeless) block.probe(unknown, masks);
-  for (auto& index : corner) index /= block_side<D>;
-  for (std::size_t b = 0; b < cells.size(); ++b, ++corner[0])
-    if (const std::uint64_t plotted = cells[b] & ~masks.empty[b]; plotted != 0)
-      harvest_.blocks.push_back({corner, plotted, masks.hit[b] & plotted});
-}
-
-/// The cells of a leaf block that belong to the grid.
-template <std::size_t D>
-std::uint64_t Worker<D>::inside(const std::array<std::uint32_t, D>& corner) const
-{
-  bool whole = true;
-  std::array<std::uint32_t, D> count;
-  for (std::size_t axis = 0; axis < D; ++axis) {
-    count[axis] = std::min(plan_.resolution[axis] - corner[axis], block_side<D>);
-    whole = whole && count[axis] == block_side<D>;
-  }
-  if (whole) return ~std::uint64_t{0};
-  std::uint64_t cells = 0;
-  for (unsigned bit = 0; bit < 64; ++bit) {
-    const auto cell = cell_of<D>({}, bit);
-    bool in = true;
-    for (std::size_t axis = 0; axis < D; ++axis) in = in && cell[axis] < count[axis];
-    if (in) cells |= std::uint64_t{1} << bit;
-  }
-  return cells;
 }
 
 template <std::size_t D>
