@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Raster_file.h"
-#include "conformance/Random.h"
+#include "rounds.h"
 
 #include <corral/errors.h>
 
