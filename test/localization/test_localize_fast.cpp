@@ -83,25 +83,17 @@ TEST(Localize_fast, agrees_with_exact_subdivision_in_space)
   EXPECT_EQ(find_wrong_verdict<3>(2, test::rounds(60), 11), "");
 }
 
-/// The cells of the plan, all in one piece; those of hidden nodes are unknown.
+/// The cells of the plan, all in one piece and looked at once.
 template <std::size_t D>
-Cell_set<D> run(const fast::Plan<D>& plan)
+Cell_set<D> run(fast::Plan<D> plan)
 {
+  plan.looks_again = false;
   const auto root = fast::root_seed(plan);
   fast::Harvest<D> harvest;
   const fast::Task whole{0, 1};
   fast::subdivide_tasks(plan, plan.root_level, &root, &whole, 1, 0, harvest);
   Cell_set<D> cells;
   cells.append(std::move(harvest.blocks));
-  for (const auto& node : harvest.hidden) {
-    std::array<std::uint32_t, D> blocks;
-    for (std::size_t axis = 0; axis < D; ++axis)
-      blocks[axis] = (plan.span(node.level, axis) + block_side<D> - 1) / block_side<D>;
-    for_each_cell<D>(blocks, [&](Cell<D> index) {
-      for (std::size_t axis = 0; axis < D; ++axis) index[axis] += node.corner[axis] / block_side<D>;
-      cells.append(Cell_block<D>{index, ~std::uint64_t{0}, 0});
-    });
-  }
   cells.finish();
   return cells;
 }
@@ -282,6 +274,11 @@ TEST(Localize_fast, sees_past_the_rounding_errors_of_a_large_box)
   two.threads = 2;
   EXPECT_EQ(localize_fast(f, grid, two).cells, cells);
   check_corners(f, Grid<2>({side, side}, {90, 77}));
+  check_corners(f, Grid<2>({side, side}, {7, 13}));
+  EXPECT_LE(localize_fast(f, Grid<2>({side, side}, {256, 256})).cells.plotted(), 1012U); // what MAA plots
+  const Rational_interval unit(0, 1); // of the curve y = x^60, 31 of 256 cells
+  EXPECT_EQ(localize_fast(parse_polynomial<2>("y - x^60", {"x", "y"}), Grid<2>({unit, unit}, {16, 16})).cells.plotted(),
+            31U);
   const auto g = parse_polynomial<3>("x^40 + y^40 + z^40 - 1", {"x", "y", "z"});
   EXPECT_GT(localize_fast(g, Grid<3>({side, side, side}, {96, 96, 96})).cells.hit(), 1000U);
 }

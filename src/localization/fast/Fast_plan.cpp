@@ -41,7 +41,8 @@ Plan<D>::Plan(const Polynomial<Rational, D>& f, const Grid<D>& grid)
     : shape(f), tree(grid.resolution()), resolution(grid.resolution()), cells_log2(padded_exponents(resolution)),
       root_level(*std::max_element(cells_log2.begin(), cells_log2.end())),
       leaf_level(std::min(root_level, static_cast<unsigned>(std::countr_zero(block_side<D>)))),
-      rounding(proved_rounding(D, shape.degree())), root(root_form(f, shape, grid, cells_log2))
+      rough_level(std::min(leaf_level + 1, root_level)), rounding(proved_rounding(D, shape.degree())),
+      root(root_form(f, shape, grid, cells_log2))
 {
   power_of_half.resize(shape.degree() + std::size_t{1});
   for (std::size_t d = 0; d < power_of_half.size(); ++d) power_of_half[d] = std::ldexp(1.0, -static_cast<int>(d));

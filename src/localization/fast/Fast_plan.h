@@ -73,6 +73,8 @@ struct Plan
   std::array<unsigned, D> cells_log2;
   unsigned root_level;
   unsigned leaf_level;
+  unsigned rough_level;    ///< where nodes that a leaf block would judge badly are told apart
+  bool looks_again = true; ///< whether hidden and rough nodes are handed over instead of being decided badly
   std::uint64_t cell_budget = std::numeric_limits<std::uint64_t>::max(); ///< most plotted cells of one worker
   Rounding rounding;
   Root_form root;
@@ -120,6 +122,7 @@ struct Harvest
   std::vector<Cell_block<D>> blocks;
   std::vector<Seed<D>> seeds;         ///< nodes of `stop_level` that may hold a zero, if the worker had to stop there
   std::vector<Hidden_node<D>> hidden; ///< nodes left undecided
+  std::vector<Seed<D>> rough;         ///< nodes of `rough_level` left undecided, to be cut into smaller blocks
   std::uint64_t nodes = 0;            ///< nodes bounded
 };
 

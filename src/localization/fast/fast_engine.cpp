@@ -76,6 +76,7 @@ private:
   void admit(unsigned level, std::size_t k, const double* c);
   unsigned bound(const Cut& cut, const double* c);
   unsigned hidden(unsigned level, unsigned kept);
+  unsigned rough(std::size_t k, const double* c, unsigned kept);
   std::size_t drop(unsigned level, std::size_t k, unsigned kept);
   void append(unsigned level, std::size_t k, const double* c, unsigned kept);
   void emit_seeds(unsigned level);
@@ -192,7 +193,10 @@ template <std::size_t D>
 void Worker<D>::admit(unsigned level, std::size_t k, const double* c)
 {
   unsigned kept = bound(cut(k), c);
-  if (kept != 0 && level < plan_.root_level) kept &= ~hidden(level, kept);
+  if (plan_.looks_again && kept != 0) {
+    if (level < plan_.root_level) kept &= ~hidden(level, kept);
+    if (level == plan_.rough_level && cut(k).degree > 2) kept &= ~rough(k, c, kept);
+  }
   if (kept == 0) return;
   k = drop(level, k, kept);
   if (level == plan_.leaf_level)
@@ -246,6 +250,25 @@ unsigned Worker<D>::hidden(unsigned level, unsigned kept)
     for (std::size_t axis = 0; axis < D; ++axis)
       node.corner[axis] = static_cast<std::uint32_t>(corner_[axis][std::countr_zero(rest)]);
     harvest_.hidden.push_back(node);
+  }
+  return lanes;
+}
+
+/// Hands over the nodes in which the terms above degree 2 outweigh the others: a leaf block bounds them coarsely, and
+/// smaller blocks can do better. Returns their lanes.
+template <std::size_t D>
+unsigned Worker<D>::rough(std::size_t k, const double* c, unsigned kept)
+{
+  const auto sum = [&](unsigned d) HWY_ATTR { return load(by_degree_ + d * batch); };
+  Octet high = set(0);
+  for (unsigned d = 3; d <= cut(k).degree; ++d) high = high + sum(d);
+  const unsigned lanes = kept & at_most(sum(1) + sum(2), high);
+  for (unsigned rest = lanes; rest != 0; rest &= rest - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+    Seed<D> seed{k, {child_remainder_[lane], child_norm_[lane]}};
+    for (std::size_t axis = 0; axis < D; ++axis) seed.rows.push_back(corner_[axis][lane]);
+    for (std::size_t i = 0; i < cut(k).size; ++i) seed.rows.push_back(c[i * batch + lane]);
+    harvest_.rough.push_back(std::move(seed));
   }
   return lanes;
 }
@@ -320,22 +343,23 @@ void Worker<D>::emit_seeds(unsigned level)
 template <std::size_t D>
 void Worker<D>::run(unsigned level, const Seed<D>* seeds, std::size_t count)
 {
-  if (level == plan_.leaf_level) { // the whole grid is one leaf
+  if (level == plan_.root_level) {
     const auto& rows = seeds[0].rows;
     for (std::size_t i = 0; i < cut(0).size; ++i) store(set(rows[header + i]), stage_[0] + i * batch);
     store(set(rows[0]), remainder_);
     for (std::size_t axis = 0; axis < D; ++axis) store(set(0), corner_[axis]);
     valid_ = 1;
-    return admit(level, 0, stage_[0]);
+    admit(level, 0, stage_[0]);
+  } else {
+    for (std::size_t s = 0; s < count; ++s) {
+      const std::size_t k = seeds[s].cut;
+      Pool<D>& to = pool(level, k);
+      to.prepare(cut(k).size);
+      for (std::size_t row = 0; row < seeds[s].rows.size(); ++row) to.row(row)[to.count] = seeds[s].rows[row];
+      ++to.count;
+    }
+    level_count_[level] = count;
   }
-  for (std::size_t s = 0; s < count; ++s) {
-    const std::size_t k = seeds[s].cut;
-    Pool<D>& to = pool(level, k);
-    to.prepare(cut(k).size);
-    for (std::size_t row = 0; row < seeds[s].rows.size(); ++row) to.row(row)[to.count] = seeds[s].rows[row];
-    ++to.count;
-  }
-  level_count_[level] = count;
   std::size_t k = 0;
   while (next(level, k)) split(level, k);
 }

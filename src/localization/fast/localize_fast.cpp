@@ -12,9 +12,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
+#include <map>
 #include <mutex>
 #include <string>
 #include <thread>
+#include <tuple>
 #include <utility>
 
 namespace corral {
@@ -64,6 +67,27 @@ void in_ranges(std::size_t count, const Fast_options& options, const Some& some)
   });
 }
 
+/// What is known from some blocks and from `fine`, blocks of the grid in which these have the size of a cell.
+template <std::size_t D>
+std::vector<Cell_block<D>> merged(const std::vector<Cell_block<D>>& blocks, const std::vector<Cell_block<D>>& fine)
+{
+  std::map<std::array<std::uint32_t, D>, Cell_block<D>> coarse;
+  for (const Cell_block<D>& block : fine) {
+    auto index = block.index;
+    for (auto& i : index) i /= block_side<D>;
+    Cell_block<D>& to = coarse.try_emplace(index, Cell_block<D>{index, 0, 0}).first->second;
+    const std::uint64_t cell = std::uint64_t{1} << bit_of<D>(block.index);
+    to.plotted |= cell;
+    if (block.hit != 0) to.hit |= cell;
+  }
+  std::vector<Cell_block<D>> result;
+  for (const Cell_block<D>& block : blocks)
+    if (const auto found = coarse.find(block.index); found != coarse.end())
+      if (const std::uint64_t plotted = block.plotted & found->second.plotted; plotted != 0)
+        result.push_back({block.index, plotted, block.hit | found->second.hit});
+  return result;
+}
+
 template <std::size_t D>
 Localization<D> localize_part(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Fast_options& options);
 
@@ -76,6 +100,8 @@ public:
       : f_(f), grid_(grid), options_(options), plan_(f, grid)
   {
     plan_.cell_budget = options.cell_budget;
+    plan_.looks_again = std::all_of(grid.resolution().begin(), grid.resolution().end(),
+                                    [](auto n) { return n <= Grid<D>::max_resolution / block_side<D>; });
   }
 
   Localization<D> run()
@@ -101,6 +127,7 @@ public:
     in_ranges(hidden_.size(), options_, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) collect(uncover(hidden_[k]), 1);
     });
+    if (!rough_.empty()) decide_rough();
     return std::move(result_);
   }
 
@@ -134,12 +161,42 @@ private:
     return harvest;
   }
 
+  /// Decides the rough nodes twice: as all others, and on a grid in which a leaf block is as large as a cell here.
+  void decide_rough()
+  {
+    Resolution<D> resolution = grid_.resolution();
+    for (auto& n : resolution) n *= block_side<D>;
+    fast::Plan<D> plan(f_, Grid<D>(grid_.box(), resolution));
+    plan.looks_again = plan_.looks_again = false;
+    auto seeds = std::exchange(rough_, {});
+    std::sort(seeds.begin(), seeds.end(),
+              [](const auto& a, const auto& b) { return std::tie(a.cut, a.rows) < std::tie(b.cut, b.rows); });
+    auto fine_seeds = seeds;
+    for (auto& seed : fine_seeds)
+      for (std::size_t axis = 0; axis < D; ++axis) seed.rows[2 + axis] *= block_side<D>;
+    const auto tasks = group(seeds);
+    const unsigned level = plan_.rough_level;
+    const unsigned fine_level = level + (plan.root_level - plan_.root_level);
+    begin(tasks.size());
+    in_ranges(tasks.size(), options_, [&](std::size_t first, std::size_t last) {
+      const Nearest_scope scope;
+      fast::Harvest<D> coarse;
+      fast::subdivide_tasks(plan_, level, seeds.data(), tasks.data() + first, last - first, 0, coarse);
+      fast::Harvest<D> fine;
+      fast::subdivide_tasks(plan, fine_level, fine_seeds.data(), tasks.data() + first, last - first, 0, fine);
+      fine.nodes += coarse.nodes;
+      fine.blocks = merged(coarse.blocks, fine.blocks);
+      collect(std::move(fine), last - first);
+    });
+  }
+
   void collect(fast::Harvest<D>&& harvest, std::size_t tasks)
   {
     const std::scoped_lock lock(mutex_);
     result_.counters.bounds += harvest.nodes;
     result_.cells.append(std::move(harvest.blocks));
     hidden_.insert(hidden_.end(), harvest.hidden.begin(), harvest.hidden.end());
+    std::move(harvest.rough.begin(), harvest.rough.end(), std::back_inserter(rough_));
     if (result_.cells.blocks().size() > options_.cell_budget) fast::throw_over_budget(options_.cell_budget);
     done_ += tasks;
     const double part = tasks_ == 0 ? 1 : static_cast<double>(done_) / static_cast<double>(tasks_);
@@ -154,6 +211,7 @@ private:
   std::mutex mutex_; // guards what follows
   Localization<D> result_;
   std::vector<fast::Hidden_node<D>> hidden_;
+  std::vector<fast::Seed<D>> rough_;
   std::size_t tasks_ = 0;
   std::size_t done_ = 0;
 };
