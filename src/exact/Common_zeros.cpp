@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Common_zeros.h"
 
-#include "Shadows.h"
+#include "Extreme_points.h"
 #include "lift.h"
 #include "multivariate.h"
+#include "on_box.h"
+#include "restriction.h"
 
 #include <corral/polynomial/arithmetic.h>
 #include <corral/polynomial/square_free.h>
@@ -16,8 +18,6 @@ namespace corral::exact {
 namespace {
 
 constexpr std::size_t max_sections = 256; // kept for the neighbours, then forgotten: bounded memory
-constexpr unsigned max_depth = 7;
-constexpr std::size_t max_live = 96;
 
 template <std::size_t D>
 Cell_decision<D> empty(Rung rung)
@@ -51,13 +51,12 @@ Common_zeros<D>::Common_zeros(const Polynomial<Integer, D>& f, const Polynomial<
   if (!common_.is_constant())
     common_zeros_ = std::make_unique<Zero_set<D>>([h = common_] { return h; }, checkpoint_, witnesses_);
   if constexpr (D == 2) points_ = std::make_unique<Plane_system>(f_, g_);
-  if constexpr (D == 3)
-    for (std::size_t direction = 0; direction < 3; ++direction) {
-      const std::size_t j = (direction + 1) % 3;
-      const std::size_t k = (direction + 2) % 3;
-      minors_.push_back(derivative(f_, j) * derivative(g_, k) - derivative(f_, k) * derivative(g_, j));
-    }
 }
+
+template <std::size_t D>
+Common_zeros<D>::Common_zeros(Common_zeros&&) noexcept = default;
+template <std::size_t D>
+Common_zeros<D>::~Common_zeros() = default;
 
 template <std::size_t D>
 Cell_decision<D> Common_zeros<D>::decide(const Rational_box<D>& box)
@@ -107,53 +106,29 @@ std::optional<Cell_decision<D>> Common_zeros<D>::decide_section(std::size_t axis
     if (!section)
       section = std::make_unique<Common_zeros<2>>(restriction(f_, axis, value), restriction(g_, axis, value),
                                                   checkpoint_, witnesses_);
-    Rational_box<2> side;
-    for (std::size_t k = 0, to = 0; k < D; ++k)
-      if (k != axis) side[to++] = box[k];
-    const auto decision = section->decide(side);
+    const auto decision = section->decide(side_of<D>(box, axis));
     if (decision.verdict == Verdict::hit)
       return Cell_decision<D>{Verdict::hit, decision.rung, lift<D - 1>(decision.witness, axis, value), {}};
   }
   return std::nullopt;
 }
 
-/// No common zero lies on the boundary, so every piece inside is closed: it has a point of largest x_d for each
-/// direction d, and there the minor of the Jacobian without column d vanishes. If for one d no small box can hold such
-/// a point, there is no piece. A piece that crosses a plane through the middle is found there.
+/// No common zero lies on the boundary, so every piece inside is a closed curve or a point.
 template <std::size_t D>
 Cell_decision<D> Common_zeros<D>::decide_inside(const Rational_box<D>& box)
 {
-  for (std::size_t axis = 0; axis < D; ++axis)
-    if (auto decision = decide_section(axis, (box[axis].lower() + box[axis].upper()) / 2, box)) return *decision;
-  std::vector<Piece> live(1);
-  for (const auto* f : {&f_, &g_}) live[0].forms.push_back(bernstein_form(*f, box));
-  for (const auto& minor : minors_) live[0].forms.push_back(bernstein_form(minor, box));
-  for (unsigned depth = 0;; ++depth) {
-    std::array<bool, D> possible{}; // whether a point of largest x_d may exist
-    std::vector<Piece> kept;
-    for (Piece& piece : live) {
-      if (sign_pattern(piece.forms[0]).closed() != 0 || sign_pattern(piece.forms[1]).closed() != 0) continue;
-      for (std::size_t d = 0; d < D; ++d)
-        possible[d] = possible[d] || minors_[d].is_zero() || sign_pattern(piece.forms[2 + d]).closed() == 0;
-      kept.push_back(std::move(piece));
-    }
-    if (std::find(possible.begin(), possible.end(), false) != possible.end()) return empty<D>(Rung::integers);
-    if (depth == max_depth || kept.size() > max_live) break;
-    live.clear();
-    for (Piece& parent : kept) {
-      std::vector<Piece> children;
-      children.push_back(std::move(parent));
-      for (std::size_t axis = 0; axis < D; ++axis)
-        for (std::size_t c = children.size(); c-- > 0;) {
-          Piece lower;
-          for (auto& form : children[c].forms) lower.forms.push_back(halve(form, axis));
-          children.push_back(std::move(lower));
-        }
-      std::move(children.begin(), children.end(), std::back_inserter(live));
-    }
+  if constexpr (D == 3) {
+    if (!pieces_) pieces_ = std::make_unique<Inner_pieces>(std::vector{f_, g_}, checkpoint_);
+    if (pieces_->excluded(box)) return empty<D>(Rung::integers);
+    for (std::size_t axis = 0; axis < D; ++axis)
+      if (auto decision = decide_section(axis, (box[axis].lower() + box[axis].upper()) / 2, box)) return *decision;
+    if (!pieces_->is_feasible())
+      return {Verdict::unknown, Rung::algebra, std::monostate{},
+              "a closed curve or an isolated point inside the cell was neither found nor excluded, and the degrees are "
+              "too high for outlines"};
+    if (auto zero = pieces_->zero_in(box)) return {Verdict::hit, Rung::algebra, std::move(*zero), {}};
   }
-  return {Verdict::unknown, Rung::algebra, std::monostate{},
-          "a closed curve or an isolated point inside the cell was neither found nor excluded"};
+  return empty<D>(Rung::algebra);
 }
 
 template class Common_zeros<2>;

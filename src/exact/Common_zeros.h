@@ -8,13 +8,11 @@
 
 #include <corral/verification/Cell_decision.h>
 
-#include <array>
 #include <cstddef>
 #include <map>
 #include <memory>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace corral::exact {
 
@@ -26,17 +24,13 @@ public:
   /// Both polynomials may be zero.
   Common_zeros(const Polynomial<Integer, D>& f, const Polynomial<Integer, D>& g, Checkpoint checkpoint,
                Witnesses witnesses);
+  Common_zeros(Common_zeros&&) noexcept;
+  ~Common_zeros();
 
   [[nodiscard]] Cell_decision<D> decide(const Rational_box<D>& box);
 
 private:
   static constexpr std::size_t facet_dimension = D == 3 ? 2 : D; // no facets are asked in the plane
-
-  struct Piece
-  {
-    std::vector<Bernstein_form<D>> forms; ///< f, g and the minors of the Jacobian for each direction
-    std::array<Integer, D> index{};
-  };
 
   [[nodiscard]] Cell_decision<D> decide_rest(const Rational_box<D>& box);
   [[nodiscard]] std::optional<Cell_decision<D>> decide_section(std::size_t axis, const Rational& value,
@@ -48,9 +42,9 @@ private:
   Polynomial<Integer, D> f_; ///< without the common factor
   Polynomial<Integer, D> g_;
   Polynomial<Integer, D> common_;
-  std::unique_ptr<Zero_set<D>> common_zeros_;  ///< of the common factor; empty if it is constant
-  std::unique_ptr<Plane_system> points_;       ///< D = 2
-  std::vector<Polynomial<Integer, D>> minors_; ///< D = 3: by direction; zero on the ends of curves in that direction
+  std::unique_ptr<Zero_set<D>> common_zeros_; ///< of the common factor; empty if it is constant
+  std::unique_ptr<Plane_system> points_;      ///< D = 2
+  std::unique_ptr<Inner_pieces> pieces_;      ///< D = 3: strictly inside a box
   std::map<std::pair<std::size_t, Rational>, std::unique_ptr<Common_zeros<facet_dimension>>> sections_;
 };
 

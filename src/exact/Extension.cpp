@@ -15,25 +15,13 @@ void trim(Rational_coefficients& a)
   while (!a.empty() && a.back() == 0) a.pop_back();
 }
 
-void trim(Extension_polynomial& p)
-{
-  while (!p.empty() && p.back().empty()) p.pop_back();
-}
-
-Rational_coefficients product(const Rational_coefficients& a, const Rational_coefficients& b)
+Rational_coefficients rational_product(const Rational_coefficients& a, const Rational_coefficients& b)
 {
   if (a.empty() || b.empty()) return {};
   Rational_coefficients result(a.size() + b.size() - 1);
   for (std::size_t i = 0; i < a.size(); ++i)
     for (std::size_t j = 0; j < b.size(); ++j) result[i + j] += a[i] * b[j];
   return result;
-}
-
-void subtract(Rational_coefficients& a, const Rational_coefficients& b)
-{
-  if (a.size() < b.size()) a.resize(b.size());
-  for (std::size_t i = 0; i < b.size(); ++i) a[i] -= b[i];
-  trim(a);
 }
 
 /// Divides a by b over Q: a becomes the remainder, the quotient is returned.
@@ -127,9 +115,28 @@ Rational_coefficients Extension::reduce(Rational_coefficients a) const
   return a;
 }
 
+Rational_coefficients Extension::negative(Rational_coefficients a)
+{
+  for (Rational& c : a) c = -c;
+  return a;
+}
+
+Rational_coefficients Extension::times(Rational_coefficients a, unsigned long factor)
+{
+  for (Rational& c : a) c *= factor;
+  return a;
+}
+
+void Extension::subtract(Rational_coefficients& a, const Rational_coefficients& b)
+{
+  if (a.size() < b.size()) a.resize(b.size());
+  for (std::size_t i = 0; i < b.size(); ++i) a[i] -= b[i];
+  trim(a);
+}
+
 Rational_coefficients Extension::multiply(const Rational_coefficients& a, const Rational_coefficients& b) const
 {
-  return reduce(product(a, b));
+  return reduce(rational_product(a, b));
 }
 
 Rational_coefficients Extension::inverse(const Rational_coefficients& a) const
@@ -148,52 +155,85 @@ Rational_coefficients Extension::inverse(const Rational_coefficients& a) const
   throw Split{exact_quotient(primitive_part(m_), factor)};
 }
 
-void Extension::make_monic(Extension_polynomial& p) const
+Tower::Tower(Extension base, Extension_polynomial h, Rational_interval beta)
+    : base_(std::move(base)), h_(std::move(h)), beta_(std::move(beta))
+{}
+
+Extension_polynomial Tower::reduce(Extension_polynomial a) const
 {
-  if (p.back() == Rational_coefficients{1}) return;
-  const auto factor = inverse(p.back());
-  for (auto& c : p) c = multiply(c, factor);
+  for (auto& c : a) c = base_.reduce(std::move(c));
+  trim_leading(a);
+  (void)divide(base_, a, h_);
+  return a;
 }
 
-Extension_polynomial Extension::divide(Extension_polynomial& p, const Extension_polynomial& q) const
+Extension_polynomial Tower::negative(Extension_polynomial a)
 {
-  if (p.size() < q.size()) return {};
-  Extension_polynomial result(p.size() - q.size() + 1);
-  for (std::size_t k = result.size(); k-- > 0;) {
-    if (p.size() < k + q.size()) continue;
-    const auto factor = p.back(); // q is monic
-    result[k] = factor;
-    for (std::size_t i = 0; i + 1 < q.size(); ++i) subtract(p[k + i], multiply(factor, q[i]));
-    p.pop_back();
-    trim(p);
-  }
+  for (auto& c : a) c = Extension::negative(std::move(c));
+  return a;
+}
+
+Extension_polynomial Tower::times(Extension_polynomial a, unsigned long factor)
+{
+  for (auto& c : a) c = Extension::times(std::move(c), factor);
+  return a;
+}
+
+void Tower::subtract(Extension_polynomial& a, const Extension_polynomial& b)
+{
+  if (a.size() < b.size()) a.resize(b.size());
+  for (std::size_t j = 0; j < b.size(); ++j) Extension::subtract(a[j], b[j]);
+  trim_leading(a);
+}
+
+Extension_polynomial Tower::multiply(const Extension_polynomial& a, const Extension_polynomial& b) const
+{
+  auto result = product(base_, a, b);
+  (void)divide(base_, result, h_);
   return result;
 }
 
-Extension_polynomial Extension::gcd(Extension_polynomial p, Extension_polynomial q) const
+/// Euclid's algorithm on h and a with the cofactor of a.
+Extension_polynomial Tower::inverse(const Extension_polynomial& a) const
 {
-  trim(p);
-  trim(q);
-  while (!q.empty()) {
-    make_monic(q);
-    (void)divide(p, q);
+  Extension_polynomial p = h_;
+  Extension_polynomial q = a;
+  Extension_polynomial p_cofactor;
+  Extension_polynomial q_cofactor = one();
+  while (true) {
+    const auto factor = base_.inverse(q.back());
+    q = scaled(base_, std::move(q), factor);
+    q_cofactor = scaled(base_, std::move(q_cofactor), factor);
+    if (q.size() == 1) return reduce(q_cofactor);
+    const auto quotient = divide(base_, p, q);
+    if (p.empty()) break;
+    subtract(p_cofactor, product(base_, quotient, q_cofactor));
     std::swap(p, q);
+    std::swap(p_cofactor, q_cofactor);
   }
-  make_monic(p);
-  return p;
+  // beta is a root of the common factor q or of the rest of h
+  auto alpha = base_.alpha();
+  const int below = alpha.sign_of(value_at(q, beta_.lower()));
+  const int above = alpha.sign_of(value_at(q, beta_.upper()));
+  if (below != above) throw Split{std::move(q)};
+  auto rest = h_;
+  throw Split{divide(base_, rest, q)};
 }
 
-Extension_polynomial Extension::square_free_part(const Extension_polynomial& p) const
+Integer_polynomial value_at(const Extension_polynomial& h, const Rational& y)
 {
-  Extension_polynomial slope(p.size() - 1);
-  for (std::size_t j = 1; j < p.size(); ++j) {
-    slope[j - 1] = p[j];
-    for (Rational& c : slope[j - 1]) c *= static_cast<unsigned long>(j);
+  Rational_coefficients value;
+  for (std::size_t j = h.size(); j-- > 0;) {
+    for (Rational& c : value) c *= y;
+    if (value.size() < h[j].size()) value.resize(h[j].size());
+    for (std::size_t i = 0; i < h[j].size(); ++i) value[i] += h[j][i];
   }
-  if (slope.empty()) return p;
-  const auto repeated = gcd(p, slope);
-  auto rest = p;
-  return divide(rest, repeated);
+  trim(value);
+  Integer denominator = 1;
+  for (const Rational& c : value) denominator = lcm(denominator, c.get_den());
+  Integer_polynomial result;
+  for (const Rational& c : value) result.push_back(c.get_num() * (denominator / c.get_den()));
+  return result;
 }
 
 } // namespace corral::exact

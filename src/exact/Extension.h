@@ -2,6 +2,8 @@
 #ifndef CORRAL_EXACT_EXTENSION_H
 #define CORRAL_EXACT_EXTENSION_H
 
+#include "Field_polynomial.h"
+
 #include <corral/verification/real_roots.h>
 
 #include <vector>
@@ -21,6 +23,7 @@ using Extension_polynomial = std::vector<Rational_coefficients>;
 class Extension
 {
 public:
+  using Element = Rational_coefficients;
   struct Split
   {
     Integer_polynomial factor;
@@ -29,24 +32,57 @@ public:
   Extension(Integer_polynomial m, Real_root alpha);
 
   [[nodiscard]] const Integer_polynomial& modulus() const { return m_; }
-  [[nodiscard]] Rational_coefficients reduce(Rational_coefficients a) const;
-  [[nodiscard]] Rational_coefficients multiply(const Rational_coefficients& a, const Rational_coefficients& b) const;
-  /// \pre a is not zero. \throw Split if a has no inverse.
-  [[nodiscard]] Rational_coefficients inverse(const Rational_coefficients& a) const;
+  [[nodiscard]] const Real_root& alpha() const { return alpha_; }
+  [[nodiscard]] Element reduce(Element a) const;
 
-  /// The monic greatest common divisor. \throw Split \pre not both zero.
-  [[nodiscard]] Extension_polynomial gcd(Extension_polynomial p, Extension_polynomial q) const;
-  /// The monic square-free part. \throw Split \pre p is monic.
-  [[nodiscard]] Extension_polynomial square_free_part(const Extension_polynomial& p) const;
+  [[nodiscard]] static Element one() { return {1}; }
+  [[nodiscard]] static Element negative(Element a);
+  [[nodiscard]] static Element times(Element a, unsigned long factor);
+  static void subtract(Element& a, const Element& b);
+  [[nodiscard]] Element multiply(const Element& a, const Element& b) const;
+  /// \pre a is not zero. \throw Split if a has no inverse.
+  [[nodiscard]] Element inverse(const Element& a) const;
 
 private:
-  void make_monic(Extension_polynomial& p) const;
-  [[nodiscard]] Extension_polynomial divide(Extension_polynomial& p, const Extension_polynomial& q) const;
-
   Integer_polynomial m_;
   Rational_coefficients monic_;
   Real_root alpha_;
 };
+
+/// \brief Q(alpha)[y]/h for a square-free h, used as if it were the field Q(alpha, beta) of one real root beta of h.
+///
+/// As `Extension`, one floor up: an element that is neither zero nor invertible splits h.
+class Tower
+{
+public:
+  using Element = Extension_polynomial;
+  struct Split
+  {
+    Extension_polynomial factor; ///< monic, with the root beta
+  };
+
+  /// \param h  monic and square-free over `base`; beta is its one root in the interval, and h changes sign over it,
+  ///           or h is y - beta.
+  Tower(Extension base, Extension_polynomial h, Rational_interval beta);
+
+  [[nodiscard]] Element reduce(Element a) const;
+
+  [[nodiscard]] static Element one() { return {Extension::one()}; }
+  [[nodiscard]] static Element negative(Element a);
+  [[nodiscard]] static Element times(Element a, unsigned long factor);
+  static void subtract(Element& a, const Element& b);
+  [[nodiscard]] Element multiply(const Element& a, const Element& b) const;
+  /// \pre a is not zero. \throw Split if a has no inverse; Extension::Split.
+  [[nodiscard]] Element inverse(const Element& a) const;
+
+private:
+  Extension base_;
+  Extension_polynomial h_;
+  Rational_interval beta_;
+};
+
+/// h(x, y) at a rational y: a polynomial in x, times a positive integer.
+[[nodiscard]] Integer_polynomial value_at(const Extension_polynomial& h, const Rational& y);
 
 /// The irreducible factor of alpha's polynomial that vanishes at alpha (FLINT). \pre alpha is not known as a rational.
 [[nodiscard]] Integer_polynomial irreducible_factor(const Real_root& alpha);

@@ -22,24 +22,7 @@ Extension_polynomial over_extension(const Bivariate& f, const Extension& field)
 {
   Extension_polynomial result;
   for (const auto& c : f) result.push_back(field.reduce(Rational_coefficients(c.begin(), c.end())));
-  while (!result.empty() && result.back().empty()) result.pop_back();
-  return result;
-}
-
-/// h(x, y) at a rational y: a polynomial in x, times a positive integer.
-Integer_polynomial at(const Extension_polynomial& h, const Rational& y)
-{
-  Rational_coefficients value;
-  for (std::size_t j = h.size(); j-- > 0;) {
-    for (Rational& c : value) c *= y;
-    if (value.size() < h[j].size()) value.resize(h[j].size());
-    for (std::size_t i = 0; i < h[j].size(); ++i) value[i] += h[j][i];
-  }
-  Integer denominator = 1;
-  for (const Rational& c : value) denominator = lcm(denominator, c.get_den());
-  Integer_polynomial result;
-  for (const Rational& c : value) result.push_back(c.get_num() * (denominator / c.get_den()));
-  trim(result);
+  trim_leading(result);
   return result;
 }
 
@@ -163,8 +146,8 @@ Triangular_zero<2> Plane_system::linear_zero(Real_root alpha, const Rational_int
                   {first_element(m, alpha), chain_element(linear(end))},
                   {alpha.interval(), Rational_interval(end)}};
       const Extension_polynomial h = {std::move(y), {1}};
-      const auto below = at(h, side.lower());
-      const auto above = at(h, side.upper());
+      const auto below = value_at(h, side.lower());
+      const auto above = value_at(h, side.upper());
       while (shown_sign(below, alpha.interval()) * shown_sign(above, alpha.interval()) == 0) alpha.refine();
       return {{0, 1}, {first_element(m, alpha), chain_element(h)}, {alpha.interval(), side}};
     } catch (Extension::Split& split) {
@@ -197,14 +180,14 @@ std::optional<Triangular_zero<2>> Plane_system::common_zero(Real_root alpha, Rea
     if (checkpoint) checkpoint();
     try {
       const Extension field(m, alpha);
-      auto h = field.gcd(over_extension(f, field), over_extension(g, field));
+      auto h = gcd_over(field, over_extension(f, field), over_extension(g, field));
       if (beta.is_point()) {
-        if (alpha.sign_of(at(h, beta.lower())) != 0) return std::nullopt;
+        if (alpha.sign_of(value_at(h, beta.lower())) != 0) return std::nullopt;
         h = linear(beta.lower());
       } else {
-        h = field.square_free_part(h);
-        const auto below = at(h, beta.lower());
-        const auto above = at(h, beta.upper());
+        h = square_free_over(field, h);
+        const auto below = value_at(h, beta.lower());
+        const auto above = value_at(h, beta.upper());
         if (alpha.sign_of(below) == alpha.sign_of(above)) return std::nullopt;
         while (shown_sign(below, alpha.interval()) == 0 || shown_sign(above, alpha.interval()) == 0) alpha.refine();
       }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Zero_set.h"
 
-#include "Shadows.h"
+#include "Extreme_points.h"
 #include "lift.h"
+#include "on_box.h"
+#include "restriction.h"
 
-#include <corral/polynomial/evaluate.h>
-#include <corral/polynomial/integer_form.h>
 #include <corral/polynomial/square_free.h>
 
 #include <algorithm>
@@ -20,7 +20,6 @@ namespace {
 
 constexpr std::size_t max_restrictions = 256; // kept for the neighbours, then forgotten: bounded memory
 constexpr std::size_t max_guesses = 16;
-constexpr std::size_t max_outline_size = 7 * 7 * 7; // coefficients of a sextic
 
 template <std::size_t D>
 Rational_point<D> corner_of(const Rational_box<D>& box, unsigned corner)
@@ -58,18 +57,6 @@ Polynomial<Integer, 2> without_axis_lines(Polynomial<Integer, 2> g)
   return g;
 }
 
-template <std::size_t D>
-bool vanishes_at(const Polynomial<Integer, D>& g, const Rational_point<D>& point)
-{
-  if constexpr (D == 1)
-    return evaluate(transform<Rational>(g, [](const Integer& c) { return Rational(c); }), point) == 0;
-  else {
-    Rational_point<D - 1> rest;
-    std::copy(point.begin() + 1, point.end(), rest.begin());
-    return vanishes_at<D - 1>(restriction(g, 0, point[0]), rest);
-  }
-}
-
 Cell_decision<1> real_root_in(const Polynomial<Integer, 1>& g, const Rational_interval& side,
                               const Checkpoint& checkpoint)
 {
@@ -94,37 +81,6 @@ Cell_decision<1> real_root_in(const Polynomial<Integer, 1>& g, const Rational_in
 }
 
 } // namespace
-
-std::vector<Integer> bernstein_weights(std::size_t n)
-{
-  std::vector<Integer> binomials(n + 1);
-  Integer common = 1;
-  for (std::size_t k = 0; k <= n; ++k) {
-    mpz_bin_uiui(binomials[k].get_mpz_t(), n, k);
-    common = lcm(common, binomials[k]);
-  }
-  for (Integer& b : binomials) b = common / b;
-  return binomials;
-}
-
-template <std::size_t D>
-Polynomial<Integer, D - 1> restriction(const Polynomial<Integer, D>& g, std::size_t axis, const Rational& value)
-{
-  const std::size_t n = g.degree(axis);
-  std::vector<Integer> weights(n + 1); // numerator^e * denominator^(n-e)
-  Integer numerator_power = 1;
-  for (std::size_t e = 0; e <= n; ++e, numerator_power *= value.get_num()) weights[e] = numerator_power;
-  Integer denominator_power = 1;
-  for (std::size_t e = n + 1; e-- > 0; denominator_power *= value.get_den()) weights[e] *= denominator_power;
-  std::vector<typename Polynomial<Integer, D - 1>::Term> terms;
-  for (const auto& term : g.terms()) {
-    Exponents<D - 1> exponents{};
-    for (std::size_t k = 0, to = 0; k < D; ++k)
-      if (k != axis) exponents[to++] = term.exponents[k];
-    terms.push_back({exponents, Integer(term.coefficient * weights[term.exponents[axis]])});
-  }
-  return primitive_part(collect<Integer, D - 1>(std::move(terms)));
-}
 
 template <std::size_t D>
 Zero_set<D>::Zero_set(Source source, Checkpoint checkpoint, Witnesses witnesses)
@@ -160,41 +116,46 @@ Cell_decision<D> Zero_set<D>::decide(const Bernstein_form<D>& form, const Ration
   const auto pattern = sign_pattern(form);
   if (pattern.crosses) return {Verdict::hit, Rung::integers, corner_witness(form, box), {}};
   if (pattern.hull != 0) return {Verdict::empty, Rung::integers, Bounded_away{}, {}};
-  Search search{box, pattern.corners, true, {}, 0};
-  if (auto decision = decide_facets(form, box, search.boundary_clean)) return *decision;
-  if (search.boundary_clean)
-    for (std::size_t axis = 0; axis < D; ++axis)
-      if (form.size[axis] > 1 && one_sign_inside(derivative(form, axis)))
-        return {Verdict::empty, Rung::integers, No_piece_inside<D>{axis, {box}}, {}};
+  if (auto zero = zero_on_facets(form, box)) return *zero;
+  for (std::size_t axis = 0; axis < D; ++axis)
+    if (form.size[axis] > 1 && one_sign_inside(derivative(form, axis)))
+      return {Verdict::empty, Rung::integers, No_piece_inside<D>{axis, {box}}, {}};
+  Search search{box, pattern.corners, {}, 0};
   search.live.push_back({form, {}});
   const bool dear = form.values.size() > 170; // elimination costs more than many boxes
   if (auto decision = subdivide(search, dear ? 24 : 6, dear ? 60 : 20)) return *decision;
   return decide_by_algebra(search);
 }
 
+/// A zero on the boundary. In one and two dimensions a verdict is never unknown, so without one there is none.
 template <std::size_t D>
-std::optional<Cell_decision<D>> Zero_set<D>::decide_facets(const Bernstein_form<D>& form, const Rational_box<D>& box,
-                                                           bool& clean)
+std::optional<Cell_decision<D>> Zero_set<D>::zero_on_facets(const Bernstein_form<D>& form, const Rational_box<D>& box)
 {
-  if constexpr (D > 1) {
+  if constexpr (D > 1)
     for (std::size_t axis = 0; axis < D; ++axis)
       for (const bool upper : {false, true}) {
         const auto side = facet(form, axis, upper);
         if (sign_pattern(side).hull != 0) continue;
-        const Rational value = upper ? box[axis].upper() : box[axis].lower();
-        if (restrictions_.size() > max_restrictions) restrictions_.clear();
-        auto& set = restrictions_[{axis, value}];
-        if (!set)
-          set = std::make_unique<Zero_set<D - 1>>(
-              [this, axis, value] { return restriction(polynomial(), axis, value); }, checkpoint_, witnesses_);
-        Rational_box<D - 1> side_box;
-        for (std::size_t k = 0, to = 0; k < D; ++k)
-          if (k != axis) side_box[to++] = box[k];
-        const auto decision = set->decide(side, side_box);
-        if (decision.verdict == Verdict::hit)
-          return Cell_decision<D>{Verdict::hit, decision.rung, lift<D - 1>(decision.witness, axis, value), {}};
-        clean = clean && decision.verdict == Verdict::empty;
+        if (auto zero = zero_in_section(side, axis, upper ? box[axis].upper() : box[axis].lower(), box)) return zero;
       }
+  return std::nullopt;
+}
+
+/// A zero in the part of a plane (or line) that lies in the box. \param form  the polynomial there.
+template <std::size_t D>
+std::optional<Cell_decision<D>> Zero_set<D>::zero_in_section(const Bernstein_form<lower_dimension>& form,
+                                                             std::size_t axis, const Rational& value,
+                                                             const Rational_box<D>& box)
+{
+  if constexpr (D > 1) {
+    if (restrictions_.size() > max_restrictions) restrictions_.clear();
+    auto& set = restrictions_[{axis, value}];
+    if (!set)
+      set = std::make_unique<Zero_set<D - 1>>([this, axis, value] { return restriction(polynomial(), axis, value); },
+                                              checkpoint_, witnesses_);
+    const auto decision = set->decide(form, side_of<D>(box, axis));
+    if (decision.verdict == Verdict::hit)
+      return Cell_decision<D>{Verdict::hit, decision.rung, lift<D - 1>(decision.witness, axis, value), {}};
   }
   return std::nullopt;
 }
@@ -226,7 +187,7 @@ std::optional<Cell_decision<D>> Zero_set<D>::subdivide(Search& search, unsigned 
   return std::nullopt;
 }
 
-/// A piece can be dropped where the polynomial has no zero, or, if the boundary of the cell has none, where the
+/// A piece can be dropped where the polynomial has no zero, or, as the boundary of the cell has none, where the
 /// gradient has none: a zero inside would make the extreme value of the polynomial on the cell a zero or of the other
 /// sign, and that value is taken at an inner point, where the gradient vanishes.
 template <std::size_t D>
@@ -241,9 +202,8 @@ std::optional<Cell_decision<D>> Zero_set<D>::keep_or_decide(Search& search, Piec
                             Sign_change<D>{corner_of(search.box, 0), corner_of(piece_box(search, piece), 0)},
                             {}};
   if (pattern.hull != 0) return std::nullopt;
-  if (search.boundary_clean)
-    for (std::size_t axis = 0; axis < D; ++axis)
-      if (piece.form.size[axis] > 1 && sign_pattern(derivative(piece.form, axis)).closed() != 0) return std::nullopt;
+  for (std::size_t axis = 0; axis < D; ++axis)
+    if (piece.form.size[axis] > 1 && sign_pattern(derivative(piece.form, axis)).closed() != 0) return std::nullopt;
   kept.push_back(std::move(piece));
   return std::nullopt;
 }
@@ -278,22 +238,37 @@ Cell_decision<D> Zero_set<D>::decide_by_algebra(Search& search)
     if (witnesses_ == Witnesses::simple) return {Verdict::hit, Rung::algebra, std::monostate{}, {}};
     return {Verdict::hit, Rung::algebra, std::move(zeros.front()), {}};
   } else {
-    if (auto decision = subdivide(search, 200, 64)) return *decision;
-    if (!search.boundary_clean)
-      return {Verdict::unknown, Rung::algebra, std::monostate{},
-              "a zero on a facet of the cell was neither found nor excluded"};
-    if (search.live.front().form.values.size() > max_outline_size)
+    if (!pieces_) pieces_ = std::make_unique<Inner_pieces>(std::vector{polynomial()}, checkpoint_);
+    if (auto decision = subdivide(search, pieces_->is_feasible() ? 40 : 200, 64)) return *decision;
+    if (auto zero = zero_in_middle(search)) return *zero;
+    if (!pieces_->is_feasible())
       return {Verdict::unknown, Rung::algebra, std::monostate{},
               "a closed piece inside the cell was neither found nor excluded, and the degree is too high for outlines"};
-    if (!shadows_) shadows_ = std::make_unique<Shadows>(polynomial(), checkpoint_);
-    for (const unsigned more_levels : {0U, 6U}) {
-      if (auto decision = subdivide(search, search.depth + more_levels, 2000)) return *decision;
-      std::erase_if(search.live, [&](const Piece& piece) { return shadows_->exclude(piece_box(search, piece)); });
-      if (search.live.empty()) return {Verdict::empty, Rung::algebra, std::monostate{}, {}};
-    }
-    return {Verdict::unknown, Rung::algebra, std::monostate{},
-            "a singular zero inside the cell was neither found nor excluded"};
+    auto zero = pieces_->zero_in(search.box);
+    if (!zero) return {Verdict::empty, Rung::algebra, std::monostate{}, {}};
+    return {Verdict::hit, Rung::algebra, std::move(*zero), {}};
   }
+}
+
+/// A zero in the planes through the middle of what subdivision has left, if that is not tiny.
+template <std::size_t D>
+std::optional<Cell_decision<D>> Zero_set<D>::zero_in_middle(const Search& search)
+{
+  constexpr int worth = 4; // pieces along an axis
+  if constexpr (D == 3)
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      const auto [first, last] =
+          std::minmax_element(search.live.begin(), search.live.end(),
+                              [&](const Piece& a, const Piece& b) { return a.index[axis] < b.index[axis]; });
+      if (last->index[axis] - first->index[axis] < worth) continue;
+      const Rational low = piece_box(search, *first)[axis].upper();
+      const Rational high = piece_box(search, *last)[axis].lower();
+      const Rational quarter = (high - low) / 4;
+      const Rational value = simplest_rational({low + quarter, high - quarter});
+      const auto form = bernstein_form(restriction(polynomial(), axis, value), side_of<D>(search.box, axis));
+      if (auto zero = zero_in_section(form, axis, value, search.box)) return zero;
+    }
+  return std::nullopt;
 }
 
 template class Zero_set<1>;

@@ -17,7 +17,7 @@
 
 namespace corral::exact {
 
-class Shadows;
+class Inner_pieces;
 
 /// \brief The zero set of one polynomial, asked of closed boxes whether they meet it. Proof: doc/exact.md.
 ///
@@ -37,6 +37,8 @@ public:
   [[nodiscard]] Cell_decision<D> decide(const Bernstein_form<D>& form, const Rational_box<D>& box);
 
 private:
+  static constexpr std::size_t lower_dimension = D > 1 ? D - 1 : 1;
+
   struct Piece
   {
     Bernstein_form<D> form;
@@ -45,15 +47,18 @@ private:
   struct Search // of the interior of a box for pieces of the zero set
   {
     Rational_box<D> box;
-    int sign = 0;               ///< of the polynomial at the corners
-    bool boundary_clean = true; ///< no zero on the boundary
+    int sign = 0; ///< of the polynomial at the corners; the whole boundary has it
     std::vector<Piece> live;
     unsigned depth = 0;
   };
 
   [[nodiscard]] const Polynomial<Integer, D>& polynomial();
-  [[nodiscard]] std::optional<Cell_decision<D>> decide_facets(const Bernstein_form<D>& form, const Rational_box<D>& box,
-                                                              bool& clean);
+  [[nodiscard]] std::optional<Cell_decision<D>> zero_on_facets(const Bernstein_form<D>& form,
+                                                               const Rational_box<D>& box);
+  [[nodiscard]] std::optional<Cell_decision<D>> zero_in_section(const Bernstein_form<lower_dimension>& form,
+                                                                std::size_t axis, const Rational& value,
+                                                                const Rational_box<D>& box);
+  [[nodiscard]] std::optional<Cell_decision<D>> zero_in_middle(const Search& search);
   [[nodiscard]] std::optional<Cell_decision<D>> subdivide(Search& search, unsigned max_depth, std::size_t max_live);
   [[nodiscard]] std::optional<Cell_decision<D>> keep_or_decide(Search& search, Piece piece, std::vector<Piece>& kept);
   [[nodiscard]] std::optional<Cell_decision<D>> guess(const Search& search);
@@ -64,15 +69,10 @@ private:
   Checkpoint checkpoint_;
   Witnesses witnesses_;
   std::optional<Polynomial<Integer, D>> polynomial_;
-  std::map<std::pair<std::size_t, Rational>, std::unique_ptr<Zero_set<(D > 1 ? D - 1 : 1)>>> restrictions_;
+  std::map<std::pair<std::size_t, Rational>, std::unique_ptr<Zero_set<lower_dimension>>> restrictions_;
   std::unique_ptr<Plane_system> extremes_; ///< D = 2: g and its derivative by y
-  std::unique_ptr<Shadows> shadows_;       ///< D = 3: the outlines of g
+  std::unique_ptr<Inner_pieces> pieces_;   ///< D = 3: strictly inside a box
 };
-
-/// g with one variable set to a rational value, times a positive integer, as a polynomial in the others.
-template <std::size_t D>
-[[nodiscard]] Polynomial<Integer, D - 1> restriction(const Polynomial<Integer, D>& g, std::size_t axis,
-                                                     const Rational& value);
 
 } // namespace corral::exact
 

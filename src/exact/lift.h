@@ -11,6 +11,16 @@
 /// Witnesses of a facet as witnesses of the box.
 namespace corral::exact {
 
+/// The sides of the box but that of one axis.
+template <std::size_t D>
+Rational_box<D - 1> side_of(const Rational_box<D>& box, std::size_t axis)
+{
+  Rational_box<D - 1> side;
+  for (std::size_t k = 0, to = 0; k < D; ++k)
+    if (k != axis) side[to++] = box[k];
+  return side;
+}
+
 /// The point with one more coordinate.
 template <std::size_t D>
 Rational_point<D + 1> insert(const Rational_point<D>& point, std::size_t axis, const Rational& value)

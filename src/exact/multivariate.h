@@ -5,7 +5,7 @@
 #include <corral/polynomial/Polynomial.h>
 
 #include <cstddef>
-#include <optional>
+#include <vector>
 
 /// \file
 /// Algebra of polynomials in several variables that is left to FLINT.
@@ -24,10 +24,12 @@ struct Common_factor
 template <std::size_t D>
 [[nodiscard]] Common_factor<D> common_factor(const Polynomial<Integer, D>& f, const Polynomial<Integer, D>& g);
 
-/// \brief The resultant of f and g with respect to the last variable, square-free and primitive; zero if they have a
-/// common factor. Nothing if FLINT gives up.
-[[nodiscard]] std::optional<Polynomial<Integer, 2>> projection(const Polynomial<Integer, 3>& f,
-                                                               const Polynomial<Integer, 3>& g);
+/// The distinct irreducible factors over the rationals that are not constant. \throw Budget_exceeded if FLINT gives up.
+[[nodiscard]] std::vector<Polynomial<Integer, 3>> irreducible_factors(const Polynomial<Integer, 3>& f);
+
+/// \brief The resultant of f and g with respect to the last variable; zero if they have a common factor with it.
+/// \throw Budget_exceeded if FLINT gives up.
+[[nodiscard]] Polynomial<Integer, 2> resultant(const Polynomial<Integer, 3>& f, const Polynomial<Integer, 3>& g);
 
 } // namespace corral::exact
 

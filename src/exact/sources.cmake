@@ -1,16 +1,19 @@
 target_sources(corral PRIVATE
   exact/Integer_polynomial.cpp
+  exact/Bernstein_form.cpp
   exact/Bivariate.cpp
   exact/Common_zeros.cpp
   exact/Extension.cpp
+  exact/Extreme_points.cpp
+  exact/Fibre.cpp
   exact/Plane_system.cpp
   exact/multivariate.cpp
   exact/Prime_field.cpp
-  exact/Shadows.cpp
   exact/Zero_set.cpp
   exact/exact_range.cpp
   exact/ideal_raster.cpp
   exact/ideal_system.cpp
+  exact/restriction.cpp
   exact/real_roots.cpp)
 
 # Oracles of other makers, for tests and audits only; nothing of the library needs them.

@@ -219,6 +219,132 @@ TEST(Ideal_raster, decides_surfaces_with_singularities_completely)
   }
 }
 
+/// sign * radicand^(1/order): an irrational coordinate that is compared with rationals by their powers alone.
+struct Radical
+{
+  int sign;
+  Rational radicand;
+  unsigned order;
+
+  /// The sign of the number minus q.
+  [[nodiscard]] int compare(const Rational& q) const
+  {
+    if (sgn(q) != sign) return sign > sgn(q) ? 1 : -1;
+    Rational power = 1;
+    for (unsigned k = 0; k < order; ++k) power *= abs(q);
+    return sign * (radicand > power ? 1 : radicand < power ? -1 : 0);
+  }
+};
+using Radical_point = std::array<Radical, 3>;
+
+std::set<Cell<3>> cells_of(const std::vector<Radical_point>& points, const Grid<3>& grid)
+{
+  std::set<Cell<3>> result;
+  check::all_cells<3>(grid.resolution()).for_each([&](const Cell<3>& cell, Verdict) {
+    const auto box = grid.cell_box(cell);
+    for (const auto& point : points) {
+      bool inside = true;
+      for (std::size_t k = 0; k < 3; ++k)
+        inside = inside && point[k].compare(box[k].lower()) >= 0 && point[k].compare(box[k].upper()) <= 0;
+      if (inside) result.insert(cell);
+    }
+  });
+  return result;
+}
+
+/// A sum of squares that vanishes just where its parts do, and those points.
+struct Isolated
+{
+  const char* polynomial;
+  std::vector<Radical_point> points;
+};
+
+std::vector<Radical_point> with_all_signs(const Rational& x, const Rational& y, const Rational& z)
+{
+  std::vector<Radical_point> result;
+  for (const int i : {-1, 1})
+    for (const int j : {-1, 1})
+      for (const int k : {-1, 1}) result.push_back({{{i, x, 2}, {j, y, 2}, {k, z, 2}}});
+  return result;
+}
+
+const std::vector<Isolated>& isolated_points_of_space()
+{
+  const Rational third(2, 3);
+  static const std::vector<Isolated> cases = {
+      {"(x^2-2)^2+(y^2-3)^2+(z^2-5)^2", with_all_signs(2, 3, 5)},
+      {"(x^2+y^2+z^2-2)^2+(x-y)^2+(y-z)^2",
+       {{{{1, third, 2}, {1, third, 2}, {1, third, 2}}}, {{{-1, third, 2}, {-1, third, 2}, {-1, third, 2}}}}},
+      {"(x^3-2)^2+(y^3-3)^2+(z-x*y)^2", {{{{1, 2, 3}, {1, 3, 3}, {1, 6, 3}}}}},
+      {"(x^5-2)^2+(y^5-3)^2+(z^5-7)^2", {{{{1, 2, 5}, {1, 3, 5}, {1, 7, 5}}}}},
+      // a twofold point beside a simple one over the same point of the plane, and a cylinder that has no real point
+      {"((x^2-2)^2+(z^2-3)^2+(y^2-2)^2)*((x^2-2)^2+(y^2-2)^2+(z^3-7)^2)*(x^2+1)",
+       {{{{1, 2, 2}, {1, 2, 2}, {1, 7, 3}}},
+        {{{1, 2, 2}, {-1, 2, 2}, {1, 7, 3}}},
+        {{{-1, 2, 2}, {1, 2, 2}, {1, 7, 3}}},
+        {{{-1, 2, 2}, {-1, 2, 2}, {1, 7, 3}}},
+        {{{1, 2, 2}, {1, 2, 2}, {1, 3, 2}}},
+        {{{1, 2, 2}, {1, 2, 2}, {-1, 3, 2}}},
+        {{{1, 2, 2}, {-1, 2, 2}, {1, 3, 2}}},
+        {{{1, 2, 2}, {-1, 2, 2}, {-1, 3, 2}}},
+        {{{-1, 2, 2}, {1, 2, 2}, {1, 3, 2}}},
+        {{{-1, 2, 2}, {1, 2, 2}, {-1, 3, 2}}},
+        {{{-1, 2, 2}, {-1, 2, 2}, {1, 3, 2}}},
+        {{{-1, 2, 2}, {-1, 2, 2}, {-1, 3, 2}}}}}};
+  return cases;
+}
+
+const Rational_box<3> room = {Rational_interval(-3, 3), Rational_interval(-3, 3), Rational_interval(-3, 3)};
+
+TEST(Ideal_raster, finds_isolated_irrational_points_of_space)
+{
+  for (const std::uint32_t resolution : {3U, 4U})
+    for (const auto& [text, points] : isolated_points_of_space()) {
+      const auto truth = cells_of(points, Grid<3>(room, {resolution, resolution, resolution}));
+      const auto found = plot<3>(text, room, resolution);
+      EXPECT_EQ(found.hit, truth) << text;
+      EXPECT_EQ(found.unknown, 0U) << text;
+    }
+}
+
+TEST(Ideal_raster, tells_tiny_spheres_from_near_misses)
+{
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto& [text, points] = isolated_points_of_space()[k];
+    const auto truth = cells_of(points, Grid<3>(room, {3, 3, 3}));
+    const auto spheres = plot<3>(std::string(text) + "-1/10^30", room, 3);
+    EXPECT_EQ(spheres.hit, truth) << text;
+    EXPECT_EQ(spheres.unknown, 0U) << text;
+    const auto misses = plot<3>(std::string(text) + "+1/10^30", room, 3); // the negative control
+    EXPECT_TRUE(misses.hit.empty()) << text;
+    EXPECT_EQ(misses.unknown, 0U) << text;
+  }
+}
+
+TEST(Ideal_raster, finds_closed_curves_inside_a_cell)
+{
+  // two circles of radius 1/10 at the heights +- sqrt 2, each in the middle of a cell's base
+  const auto circles = plot<3>("(x^2+y^2-1/100)^2+(z^2-2)^2", room, 3);
+  EXPECT_EQ(circles.hit, (std::set<Cell<3>>{{1, 1, 0}, {1, 1, 2}}));
+  EXPECT_EQ(circles.unknown, 0U);
+  EXPECT_TRUE(plot<3>("(x^2+y^2-1/100)^2+(z^2-2)^2+1/10^20", room, 3).hit.empty());
+  // a surface elsewhere changes nothing
+  const auto both = plot<3>("((x^2-2)^2+(y^2-3)^2+(z^2-5)^2)*(10*x+1)", room, 3);
+  auto expected = cells_of(with_all_signs(2, 3, 5), Grid<3>(room, {3, 3, 3}));
+  for (std::uint32_t j = 0; j < 3; ++j)
+    for (std::uint32_t k = 0; k < 3; ++k) expected.insert({1, j, k});
+  EXPECT_EQ(both.hit, expected);
+  EXPECT_EQ(both.unknown, 0U);
+}
+
+TEST(Ideal_raster, says_unknown_with_a_reason_where_degrees_are_too_high)
+{
+  const auto f = parse_polynomial<3>("((x^5-2)*(1+y+z))^2+((y^5-3)*(1+x+z))^2+((z^5-7)*(1+x+y))^2", {"x", "y", "z"});
+  const auto decision = Cell_decider<3>(f, Grid<3>(room, {3, 3, 3})).decide({2, 2, 2});
+  EXPECT_EQ(decision.verdict, Verdict::unknown);
+  EXPECT_NE(decision.reason.find("degree is too high"), std::string::npos) << decision.reason;
+}
+
 struct Paper_example
 {
   const char* polynomial;

@@ -105,11 +105,54 @@ TEST(Ideal_system, finds_curves_in_space)
   EXPECT_TRUE(plot<3>("x^2+y^2+z^2-1", "x^2+y^2+z^2-1-1/10^20", 4).hit.empty());
 }
 
-TEST(Ideal_system, says_unknown_rather_than_guess)
+using Space_cells = std::set<Cell<3>>;
+
+void expect_decided(const std::string& f, const std::string& g, std::uint32_t resolution, const Space_cells& truth)
 {
-  // Two spheres that touch in one point inside a cell: not crossed by any facet.
-  const auto touch = plot<3>("(5*x-2)^2+(5*y-2)^2+(5*z-2)^2-1", "(5*x-2)^2+(5*y-2)^2+(5*z-3)^2-1/10^12", 2);
-  EXPECT_EQ(touch.hit.size() + touch.unknown, 1U);
+  const auto found = plot<3>(f, g, resolution);
+  EXPECT_EQ(found.hit, truth) << f << " and " << g;
+  EXPECT_EQ(found.unknown, 0U) << f << " and " << g;
+}
+
+// At resolution 3 the middle cell of each axis is [-2/3, 2/3].
+TEST(Ideal_system, finds_closed_curves_inside_a_cell)
+{
+  expect_decided("100*(x^2+y^2+z^2)-1", "3*x+5*y+7*z-1/10", 3, {{1, 1, 1}});
+  expect_decided("100*(x^2+y^2+z^2)-1", "3*x+5*y+7*z-10", 3, {}); // the plane misses the sphere
+  expect_decided("100*(x^2+y^2+z^2)-1", "x^3+y^3+z^3-x*y*z-1/100000", 3, {{1, 1, 1}});
+  // a circle of radius about 1e-6, and two spheres with a gap of 1e-13
+  expect_decided("(5*x-2)^2+(5*y-2)^2+(5*z-2)^2-1", "(5*x-2)^2+(5*y-2)^2+(5*z-3)^2-1/10^12", 2, {{1, 1, 1}});
+  expect_decided("(5*x-2)^2+(5*y-2)^2+(5*z-2)^2-1/4", "(5*x-2)^2+(5*y-2)^2+(5*z-3)^2-1/4+1/10^12", 2, {});
+}
+
+TEST(Ideal_system, finds_contacts_in_single_points)
+{
+  // two spheres that touch at (2/5, 2/5, 1/2)
+  expect_decided("(5*x-2)^2+(5*y-2)^2+(5*z-2)^2-1/4", "(5*x-2)^2+(5*y-2)^2+(5*z-3)^2-1/4", 2, {{1, 1, 1}});
+  // irrational: (+- sqrt 2, +- sqrt 3, 1/7)
+  const Space_cells four = {{0, 0, 1}, {0, 2, 1}, {2, 0, 1}, {2, 2, 1}};
+  expect_decided("7*z-1", "7*z-1-(x^2-2)^2-(y^2-3)^2", 3, four);
+  expect_decided("7*z-1", "7*z-1-(x^2-2)^2-(y^2-3)^2-1/10^25", 3, {});
+  // two conjugate complex curves through a real point; the projection along z shows a smooth line
+  expect_decided("7*y-1", "(7*z-1)^2+(7*x-1)^2", 3, {{1, 1, 1}});
+  expect_decided("7*y-1", "(z^2-2)^2+(x^2-3)^2", 3, {{0, 1, 0}, {0, 1, 2}, {2, 1, 0}, {2, 1, 2}});
+  // one equation is four lines, of which each meets the other surface once
+  expect_decided("(x^2-2)^2+(y^2-3)^2", "z^3-x*y-1/7", 3, {{0, 0, 2}, {0, 2, 0}, {2, 0, 0}, {2, 2, 2}});
+}
+
+TEST(Ideal_system, leaves_no_cell_of_well_known_curves_unknown)
+{
+  const std::vector<std::pair<const char*, const char*>> curves = {
+      {"x^2+y^2+z^2-4", "(x-1)^2+y^2-1"},           // Viviani
+      {"(x^2+y^2+z^2+3/4)^2-4*(x^2+y^2)", "2*x-1"}, // a torus and the plane that touches it inside
+      {"(x^2+y^2+z^2+3/4)^2-4*(x^2+y^2)", "2*z-1"}, // and the one that touches it along a circle
+      {"x^2+y^2+z^2-2", "x+y-2"},                   // a sphere and the plane that touches it at (1, 1, 0)
+      {"(3*x-1)^2+(3*y-1)^2+(3*z-1)^2-1", "(3*x-3)^2+(3*y-1)^2+(3*z-1)^2-1"}};
+  for (const auto& [f, g] : curves) {
+    const auto found = plot<3>(f, g, 12);
+    EXPECT_EQ(found.unknown, 0U) << f << " and " << g;
+    EXPECT_FALSE(found.hit.empty()) << f << " and " << g;
+  }
 }
 
 TEST(Ideal_system, refuses_what_is_no_system_of_two)

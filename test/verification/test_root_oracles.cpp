@@ -8,7 +8,8 @@
 #include <corral/verification/ideal_raster.h>
 
 #include <exact/Plane_system.h>
-#include <exact/Zero_set.h>
+#include <exact/Plane_system.h>
+#include <exact/restriction.h>
 
 #include <gtest/gtest.h>
 

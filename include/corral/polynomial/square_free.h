@@ -21,6 +21,29 @@ struct Flat_terms
   std::vector<Integer> coefficients;
 };
 
+template <std::size_t D>
+[[nodiscard]] Flat_terms flat_terms(const Polynomial<Integer, D>& f)
+{
+  Flat_terms flat{D, {}, {}};
+  for (const auto& term : f.terms()) {
+    flat.exponents.insert(flat.exponents.end(), term.exponents.begin(), term.exponents.end());
+    flat.coefficients.push_back(term.coefficient);
+  }
+  return flat;
+}
+
+/// The inverse of `flat_terms`. \pre `flat.dimension` is D.
+template <std::size_t D>
+[[nodiscard]] Polynomial<Integer, D> from_flat_terms(Flat_terms flat)
+{
+  std::vector<typename Polynomial<Integer, D>::Term> terms(flat.coefficients.size());
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    std::copy_n(flat.exponents.begin() + static_cast<std::ptrdiff_t>(i * D), D, terms[i].exponents.begin());
+    terms[i].coefficient = std::move(flat.coefficients[i]);
+  }
+  return collect<Integer, D>(std::move(terms));
+}
+
 /// Divides a non-zero polynomial by the greatest common divisor of its derivatives and itself.
 /// The sign is kept.
 [[nodiscard]] Flat_terms square_free_part(const Flat_terms& f);
@@ -41,18 +64,7 @@ template <std::size_t D>
 [[nodiscard]] Polynomial<Integer, D> square_free_part(const Polynomial<Integer, D>& f)
 {
   if (f.is_zero()) return f;
-  detail::Flat_terms flat{D, {}, {}};
-  for (const auto& term : f.terms()) {
-    flat.exponents.insert(flat.exponents.end(), term.exponents.begin(), term.exponents.end());
-    flat.coefficients.push_back(term.coefficient);
-  }
-  flat = detail::square_free_part(flat);
-  std::vector<typename Polynomial<Integer, D>::Term> terms(flat.coefficients.size());
-  for (std::size_t i = 0; i < terms.size(); ++i) {
-    std::copy_n(flat.exponents.begin() + static_cast<std::ptrdiff_t>(i * D), D, terms[i].exponents.begin());
-    terms[i].coefficient = std::move(flat.coefficients[i]);
-  }
-  return primitive_part(collect<Integer, D>(std::move(terms)));
+  return primitive_part(detail::from_flat_terms<D>(detail::square_free_part(detail::flat_terms(f))));
 }
 
 /// The same for rational coefficients.

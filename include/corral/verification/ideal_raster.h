@@ -22,8 +22,8 @@ namespace corral {
 
 /// \brief Decides closed cells of one grid exactly, for one polynomial.
 ///
-/// In one and two dimensions the verdict is never `unknown`. In three dimensions it can be, where a singular zero with
-/// irrational coordinates may lie inside a cell without touching its facets; the decision then says why.
+/// In one and two dimensions the verdict is never `unknown`. In three dimensions it can be for high degrees, where a
+/// closed piece may lie strictly inside a cell; the decision then says why.
 /// What is costly (square-free part, resultants) is computed when first needed and kept, so that one object should
 /// decide many cells. An object must not be used by two threads at once; a copy is cheap to make.
 template <std::size_t D>

@@ -16,9 +16,8 @@ namespace corral {
 ///
 /// In the plane the verdict is never `unknown`: a common factor is decided as a curve, the rest are finitely many
 /// points. In space a cell is a hit if a common zero lies on one of its facets, which is decided exactly in their
-/// planes; it is empty if none does and no point of it can be the extreme point of a closed curve, which is shown by
-/// bounds on small boxes. Else it is unknown, and the decision says why. An object must not be used by two threads at
-/// once.
+/// planes, or if a closed piece lies strictly inside, which is decided by its extreme point. It can be unknown for high
+/// degrees, and the decision then says why. An object must not be used by two threads at once.
 template <std::size_t D>
 class System_decider
 {
