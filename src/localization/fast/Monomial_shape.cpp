@@ -36,6 +36,23 @@ std::vector<unsigned> class_degrees(unsigned degree)
   return result;
 }
 
+/// The lines without the positions from `size` on, which come last in each line.
+template <std::size_t D>
+typename Monomial_shape<D>::Lines shortened(const typename Monomial_shape<D>::Lines& lines, std::size_t size)
+{
+  typename Monomial_shape<D>::Lines result;
+  result.lines.reserve(lines.lines.size());
+  result.index.reserve(size);
+  for (const auto& line : lines.lines) {
+    const auto first = static_cast<std::uint32_t>(result.index.size());
+    for (std::uint32_t k = 0; k <= line.degree && lines.index[line.first + k] < size; ++k)
+      result.index.push_back(lines.index[line.first + k]);
+    if (result.index.size() > first)
+      result.lines.push_back({first, static_cast<std::uint32_t>(result.index.size() - first - 1), line.rest});
+  }
+  return result;
+}
+
 } // namespace
 
 template <std::size_t D>
@@ -47,7 +64,9 @@ Monomial_shape<D>::Monomial_shape(const Polynomial<Rational, D>& f)
   for (const unsigned d : degrees) {
     classes_.push_back({d, degree_end_[d], {}, {}});
     Class& cut = classes_.back();
-    for (std::size_t axis = 0; axis < D; ++axis) cut.lines[axis] = lines_of(axis, d);
+    for (std::size_t axis = 0; axis < D; ++axis)
+      cut.lines[axis] = d == degree() ? lines_of(axis) : shortened<D>(classes_.front().lines[axis], cut.size);
+    cut.slab.reserve(extent_[D - 1] + 1);
     const auto& lines = cut.lines[D - 2].lines;
     for (std::uint32_t k = 0; k < lines.size(); ++k)
       if (k == 0 || lines[k].rest[D - 1] != lines[k - 1].rest[D - 1]) cut.slab.push_back(k);
@@ -112,25 +131,22 @@ void Monomial_shape<D>::collect_divisors(const Polynomial<Rational, D>& f)
 }
 
 template <std::size_t D>
-auto Monomial_shape<D>::lines_of(std::size_t axis, unsigned degree) const -> Lines
+auto Monomial_shape<D>::lines_of(std::size_t axis) const -> Lines
 {
   Lines result;
   std::vector<Exponents<D>> rests;
-  for (std::size_t k = 0; k < degree_end_[degree]; ++k)
-    if (exponents_[k][axis] == 0) rests.push_back(exponents_[k]);
+  for (const auto& exponents : exponents_)
+    if (exponents[axis] == 0) rests.push_back(exponents);
   std::sort(rests.begin(), rests.end(), [](const auto& a, const auto& b) {
     return std::lexicographical_compare(a.rbegin(), a.rend(), b.rbegin(), b.rend());
   });
   result.lines.reserve(rests.size());
-  result.index.reserve(degree_end_[degree]);
+  result.index.reserve(size());
   for (const auto& rest : rests) {
     const auto first = static_cast<std::uint32_t>(result.index.size());
     auto monomial = rest;
-    for (; monomial[axis] < extent_[axis]; ++monomial[axis]) {
-      const auto k = position_[dense(monomial)];
-      if (k == absent || k >= degree_end_[degree]) break;
-      result.index.push_back(k);
-    }
+    for (; monomial[axis] < extent_[axis] && position(monomial) != absent; ++monomial[axis])
+      result.index.push_back(static_cast<std::uint32_t>(position(monomial)));
     result.lines.push_back({first, static_cast<std::uint32_t>(result.index.size() - first - 1), rest});
   }
   return result;

@@ -71,7 +71,7 @@ private:
     return cell;
   }
   void collect_divisors(const Polynomial<Rational, D>& f);
-  [[nodiscard]] Lines lines_of(std::size_t axis, unsigned degree) const;
+  [[nodiscard]] Lines lines_of(std::size_t axis) const;
 
   std::array<std::size_t, D> extent_{};
   std::vector<std::uint32_t> position_; // dense table; `absent` where there is no monomial

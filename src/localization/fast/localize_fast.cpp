@@ -2,6 +2,7 @@
 #include <corral/localization/localize_fast.h>
 
 #include "Fast_plan.h"
+#include "sorted_blocks.h"
 
 #include <corral/errors.h>
 #include <corral/number/Environment.h>
@@ -45,26 +46,11 @@ unsigned task_level(const fast::Plan<D>& plan)
   return plan.root_level >= plan.leaf_level + depth + least ? plan.root_level - depth : 0;
 }
 
-/// Calls `some(first, last)` for ranges that cover 0 to `count`, on as many threads as the options ask for.
-template <class Some>
-void in_ranges(std::size_t count, const Fast_options& options, const Some& some)
+unsigned thread_count(const Fast_options& options)
 {
-  if (count == 0) return;
-  unsigned threads = options.threads;
-  if (threads != 1) { // asking for the processors takes as long as a small curve
-    const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
-    threads = threads == 0 ? processors : std::min(threads, processors);
-  }
-  if (threads == 1 && !options.progress) return some(0, count);
-  if (threads == 1) {
-    for (std::size_t k = 0; k < count; ++k) some(k, k + 1);
-    return;
-  }
-  tbb::task_arena arena(static_cast<int>(threads));
-  arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count),
-                      [&](const auto& range) { some(range.begin(), range.end()); });
-  });
+  if (options.threads == 1) return 1; // asking for the processors takes as long as a small curve
+  const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
+  return options.threads == 0 ? processors : std::min(options.threads, processors);
 }
 
 /// What is known from some blocks and from `fine`, blocks of the grid in which these have the size of a cell.
@@ -97,7 +83,7 @@ class Runner
 {
 public:
   Runner(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Fast_options& options)
-      : f_(f), grid_(grid), options_(options), plan_(f, grid)
+      : f_(f), grid_(grid), options_(options), threads_(thread_count(options)), plan_(f, grid)
   {
     plan_.cell_budget = options.cell_budget;
     plan_.looks_again = std::all_of(grid.resolution().begin(), grid.resolution().end(),
@@ -105,6 +91,14 @@ public:
   }
 
   Localization<D> run()
+  {
+    if (threads_ == 1) return run_here();
+    tbb::task_arena arena(static_cast<int>(threads_));
+    return arena.execute([&] { return run_here(); });
+  }
+
+private:
+  Localization<D> run_here()
   {
     const Nearest_scope environment;
     const fast::Seed<D> root = fast::root_seed(plan_);
@@ -117,21 +111,44 @@ public:
     const auto tasks = group(seeds_);
     begin(tasks.size());
     collect(std::move(harvest), 0);
-    in_ranges(tasks.size(), options_, [&](std::size_t first, std::size_t last) {
+    in_ranges(tasks.size(), [&](std::size_t first, std::size_t last) {
       const Nearest_scope scope;
       fast::Harvest<D> found;
       fast::subdivide_tasks(plan_, level, seeds_.data(), tasks.data() + first, last - first, 0, found);
       collect(std::move(found), last - first);
     });
     begin(hidden_.size());
-    in_ranges(hidden_.size(), options_, [&](std::size_t first, std::size_t last) {
+    in_ranges(hidden_.size(), [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) collect(uncover(hidden_[k]), 1);
     });
     if (!rough_.empty()) decide_rough();
+    result_.cells.append(sorted_blocks());
     return std::move(result_);
   }
 
-private:
+  /// Calls `some(first, last)` for ranges that cover 0 to `count`.
+  template <class Some>
+  void in_ranges(std::size_t count, const Some& some) const
+  {
+    if (count == 0) return;
+    if (threads_ > 1)
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count),
+                        [&](const auto& range) { some(range.begin(), range.end()); });
+    else if (options_.progress)
+      for (std::size_t k = 0; k < count; ++k) some(k, k + 1);
+    else
+      some(0, count);
+  }
+
+  std::vector<Cell_block<D>> sorted_blocks()
+  {
+    std::array<std::uint32_t, D> extent;
+    for (std::size_t axis = 0; axis < D; ++axis) extent[axis] = (grid_.resolution()[axis] - 1) / block_side<D> + 1;
+    constexpr std::size_t worth_a_thread = 2000;
+    const std::size_t shares = block_count_ < worth_a_thread ? 1 : threads_;
+    return fast::Block_sorter<D>(std::move(parts_), extent, shares).run();
+  }
+
   void begin(std::size_t tasks)
   {
     tasks_ = tasks;
@@ -178,7 +195,7 @@ private:
     const unsigned level = plan_.rough_level;
     const unsigned fine_level = level + (plan.root_level - plan_.root_level);
     begin(tasks.size());
-    in_ranges(tasks.size(), options_, [&](std::size_t first, std::size_t last) {
+    in_ranges(tasks.size(), [&](std::size_t first, std::size_t last) {
       const Nearest_scope scope;
       fast::Harvest<D> coarse;
       fast::subdivide_tasks(plan_, level, seeds.data(), tasks.data() + first, last - first, 0, coarse);
@@ -194,10 +211,11 @@ private:
   {
     const std::scoped_lock lock(mutex_);
     result_.counters.bounds += harvest.nodes;
-    result_.cells.append(std::move(harvest.blocks));
+    block_count_ += harvest.blocks.size();
+    parts_.push_back(std::move(harvest.blocks));
     hidden_.insert(hidden_.end(), harvest.hidden.begin(), harvest.hidden.end());
     std::move(harvest.rough.begin(), harvest.rough.end(), std::back_inserter(rough_));
-    if (result_.cells.blocks().size() > options_.cell_budget) fast::throw_over_budget(options_.cell_budget);
+    if (block_count_ > options_.cell_budget) fast::throw_over_budget(options_.cell_budget);
     done_ += tasks;
     const double part = tasks_ == 0 ? 1 : static_cast<double>(done_) / static_cast<double>(tasks_);
     if (options_.progress && !options_.progress(part)) throw Cancelled("localize_fast: cancelled by the caller");
@@ -206,10 +224,13 @@ private:
   const Polynomial<Rational, D>& f_;
   const Grid<D>& grid_;
   const Fast_options& options_;
+  unsigned threads_;
   fast::Plan<D> plan_;
   std::vector<fast::Seed<D>> seeds_;
   std::mutex mutex_; // guards what follows
   Localization<D> result_;
+  std::vector<std::vector<Cell_block<D>>> parts_;
+  std::size_t block_count_ = 0;
   std::vector<fast::Hidden_node<D>> hidden_;
   std::vector<fast::Seed<D>> rough_;
   std::size_t tasks_ = 0;
@@ -245,7 +266,6 @@ Localization<D> localize_fast(const Polynomial<Rational, D>& f, const Grid<D>& g
   if (f.is_zero()) throw Invalid_input("localize_fast: the polynomial is zero; expected one that is not");
   const auto start = std::chrono::steady_clock::now();
   auto result = localize_part(f, grid, options);
-  result.cells.finish();
   if (options.cell_budget < std::numeric_limits<std::uint64_t>::max() && result.cells.plotted() > options.cell_budget)
     fast::throw_over_budget(options.cell_budget);
   result.is_guaranteed = true;
