@@ -4,11 +4,14 @@
 
 #include <corral/localization/Subdivision.h>
 #include <corral/polynomial/integer_form.h>
+#include <corral/polynomial/square_free.h>
 #include <corral/polynomial/substitution.h>
 #include <corral/verification/certificate.h>
-#include <corral/verification/ideal_raster.h>
+#include <corral/verification/ideal_system.h>
 
 #include <algorithm>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -34,15 +37,37 @@ void require_limits(const Polynomial<Rational, D>& f, const char* what)
 }
 
 template <std::size_t D>
-Certificate<D> start(const Polynomial<Rational, D>& f, const Polynomial<Integer, D>& g, const Grid<D>& grid)
+Certificate<D> start(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid)
 {
   constexpr double max_cells = 4611686018427387904.0; // 2^62
   if (grid.cell_count() >= max_cells)
     throw Invalid_input("certificate: the grid has 2^62 cells or more; expected fewer");
-  require_limits(f, "the polynomial");
-  Certificate<D> result{f, g, 1, grid, {}, {}, {}, 0, 0, 0};
-  if (integer_primitive(f) != g) result.power = certificate::highest_multiplicity(f);
+  if (system.empty() || system.size() > (D == 1 ? 1U : 2U))
+    throw Invalid_input("certificate: given " + std::to_string(system.size()) + " polynomials in " + std::to_string(D)
+                        + " dimensions; expected 1, or 2 in two or three dimensions");
+  Certificate<D> result{{}, grid};
+  for (const auto& f : system) {
+    if (f.is_zero()) throw Invalid_input("certificate: a polynomial is zero; expected none that vanishes everywhere");
+    require_limits(f, "the polynomial");
+    Certified_polynomial<D> entry{f, square_free_part(f)};
+    if (integer_primitive(f) != entry.square_free) entry.power = certificate::highest_multiplicity(f);
+    result.polynomials.push_back(std::move(entry));
+  }
   return result;
+}
+
+/// What decides a cell when its signs do not.
+template <std::size_t D>
+std::function<Cell_decision<D>(const Cell<D>&)> make_decider(const std::vector<Polynomial<Rational, D>>& system,
+                                                             const Grid<D>& grid, const Checkpoint& checkpoint)
+{
+  if constexpr (D > 1)
+    if (system.size() > 1) {
+      const auto decider = std::make_shared<System_decider<D>>(system, grid, checkpoint);
+      return [decider](const Cell<D>& cell) { return decider->decide(cell); };
+    }
+  const auto decider = std::make_shared<Cell_decider<D>>(system.front(), grid, checkpoint);
+  return [decider](const Cell<D>& cell) { return decider->decide(cell); };
 }
 
 /// Walks the subdivision tree depth first and writes down what it proves.
@@ -51,14 +76,17 @@ class Certifier
 {
 public:
   using Node = Subdivision_node<D>;
-  using Form = Bernstein_form<D>;
+  using Forms = std::vector<Bernstein_form<D>>; // one for each polynomial
 
-  Certifier(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Certify_options& options)
-      : options_(options), cell_count_(grid.cell_count()), tree_(grid.resolution()),
-        decider_(f, grid, [this] { require_going(); }),
-        rational_(transform<Rational>(decider_.square_free(), [](const Integer& c) { return Rational(c); })),
-        result_(start(f, decider_.square_free(), grid))
-  {}
+  Certifier(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid, const Certify_options& options)
+      : options_(options), cell_count_(grid.cell_count()), tree_(grid.resolution()), result_(start(system, grid)),
+        decide_(make_decider<D>(system, grid, [this] { require_going(); }))
+  {
+    for (const auto& f : result_.polynomials)
+      rational_.push_back(transform<Rational>(f.square_free, [](const Integer& c) { return Rational(c); }));
+  }
+  Certifier(const Certifier&) = delete; // the checkpoint points here
+  Certifier& operator=(const Certifier&) = delete;
 
   Certificate<D> run() &&
   {
@@ -69,10 +97,14 @@ public:
       offset[axis] = result_.grid.box()[axis].lower();
       scale[axis] = result_.grid.step(axis) * tree_.span(root.level, axis);
     }
-    Form form = exact::dense_power_form(integer_primitive(affine_substitution(rational_, offset, scale)));
-    exact::to_bernstein(form);
-    exact::drop_twos(form);
-    visit(std::move(form), root);
+    Forms forms;
+    for (const auto& f : rational_) {
+      auto& form =
+          forms.emplace_back(exact::dense_power_form(integer_primitive(affine_substitution(f, offset, scale))));
+      exact::to_bernstein(form);
+      exact::drop_twos(form);
+    }
+    visit(std::move(forms), root);
     return std::move(result_);
   }
 
@@ -83,7 +115,7 @@ private:
   /// A box inside a cell: [index, index + 1] / 2^depth along each axis of the cell.
   struct Piece
   {
-    Form form;
+    Forms forms;
     std::array<Integer, D> index{};
     unsigned depth = 0;
   };
@@ -92,10 +124,10 @@ private:
   struct Search
   {
     std::size_t boxes_left;
-    int sign; ///< of all corners of the cell
+    int sign; ///< that of one polynomial at all corners of the cell; 0 for a system
     std::string tree{};
-    Rational_point<D> zero{}; ///< in the cell's own coordinates, a point where the sign differs
-    int zero_sign = 0;
+    Rational_point<D> zero{}; ///< in the cell's own coordinates: a common zero, or
+    bool changes = false;     ///< a point where the one polynomial has another sign than at the first corner
   };
 
   /// Whether to go on; once stopped, for good.
@@ -112,47 +144,61 @@ private:
     if (!goes_on()) throw Cancelled("certificate: stopped by the caller");
   }
 
-  void visit(Form form, const Node& node)
+  void visit(Forms forms, const Node& node)
   {
     settled_ = result_.empty + result_.hit + result_.unknown;
     if (!goes_on()) return leave_unknown("stopped before it was decided", node);
-    const auto pattern = exact::sign_pattern(form);
-    if (pattern.hull != 0) {
+    if (excludes_zero(forms)) {
       result_.tree += 'e';
       result_.empty += cells(node);
     } else if (node.level == 0)
-      visit_cell(std::move(form), pattern, node);
+      visit_cell(forms, node);
     else {
       result_.tree += 's';
-      visit_children(std::move(form), {node.level - 1, node.corner}, D);
+      visit_children(std::move(forms), {node.level - 1, node.corner}, D);
     }
   }
 
-  /// Visits the children in the order of their numbers: the last axis is halved first, so that it varies slowest.
-  void visit_children(Form form, Node child, std::size_t axes)
+  /// Whether the coefficients of one polynomial keep away from zero.
+  static bool excludes_zero(const Forms& forms)
   {
-    if (axes == 0) return visit(std::move(form), child);
-    const std::size_t axis = axes - 1;
-    if (!tree_.halves(child.level + 1, axis)) return visit_children(std::move(form), child, axis);
-    visit_children(exact::halve(form, axis), child, axis);
-    child.corner[axis] += tree_.span(child.level, axis);
-    if (child.corner[axis] < result_.grid.resolution()[axis]) visit_children(std::move(form), child, axis);
+    return std::any_of(forms.begin(), forms.end(),
+                       [](const Bernstein_form<D>& form) { return exact::sign_pattern(form).closed() != 0; });
   }
 
-  void visit_cell(Form form, const exact::Sign_pattern& pattern, const Node& node)
+  /// The lower halves; the upper ones are left in `forms`.
+  static Forms halve(Forms& forms, std::size_t axis)
   {
-    if (pattern.crosses) {
+    Forms lower;
+    for (auto& form : forms) lower.push_back(exact::halve(form, axis));
+    return lower;
+  }
+
+  /// Visits the children in the order of their numbers: the last axis is halved first, so that it varies slowest.
+  void visit_children(Forms forms, Node child, std::size_t axes)
+  {
+    if (axes == 0) return visit(std::move(forms), child);
+    const std::size_t axis = axes - 1;
+    if (!tree_.halves(child.level + 1, axis)) return visit_children(std::move(forms), child, axis);
+    visit_children(halve(forms, axis), child, axis);
+    child.corner[axis] += tree_.span(child.level, axis);
+    if (child.corner[axis] < result_.grid.resolution()[axis]) visit_children(std::move(forms), child, axis);
+  }
+
+  void visit_cell(const Forms& forms, const Node& node)
+  {
+    if (forms.size() == 1 && exact::sign_pattern(forms.front()).crosses) {
       result_.tree += 'h';
       ++result_.hit;
       return;
     }
     constexpr std::size_t first_boxes = 64; // a cut or two prove most empty cells
     try {
-      if (attempt(form, pattern.corners, first_boxes, node)) return;
-      const auto decision = decider_.decide(node.corner);
+      if (attempt(forms, first_boxes, node)) return;
+      const auto decision = decide_(node.corner);
       if (decision.verdict == Verdict::unknown) return leave_unknown("not decided: " + decision.reason, node);
       if (decision.verdict == Verdict::hit) return add_witness(decision.witness, node);
-      if (!attempt(form, pattern.corners, options_.max_boxes, node))
+      if (!attempt(forms, options_.max_boxes, node))
         leave_unknown("empty, but a proof would take more boxes than allowed", node);
     } catch (const Cancelled&) {
       leave_unknown("stopped before it was decided", node);
@@ -160,10 +206,10 @@ private:
   }
 
   /// Tries to prove the cell empty by cutting it; whether something was proved and written.
-  bool attempt(const Form& form, int sign, std::size_t boxes, const Node& node)
+  bool attempt(const Forms& forms, std::size_t boxes, const Node& node)
   {
-    Search search{boxes, sign};
-    const Attempt outcome = search_piece({form, {}, 0}, search);
+    Search search{boxes, forms.size() == 1 ? sgn(forms.front().corner(0)) : 0};
+    const Attempt outcome = search_piece({forms, {}, 0}, search);
     if (outcome == Attempt::gave_up) return false;
     if (outcome == Attempt::proved) {
       result_.tree += search.tree;
@@ -177,24 +223,26 @@ private:
       corner[axis] = box[axis].lower();
       other[axis] = corner[axis] + result_.grid.step(axis) * search.zero[axis];
     }
-    add_witness(Sign_change<D>{search.zero_sign == 0 ? other : corner, other}, node);
+    add_witness(Sign_change<D>{search.changes ? corner : other, other}, node);
     return true;
   }
 
   Attempt search_piece(Piece piece, Search& search)
   {
     constexpr unsigned max_depth = 400;
-    if (const auto corner = other_corner(piece, search.sign)) {
-      for (std::size_t axis = 0; axis < D; ++axis)
-        search.zero[axis] = Rational(piece.index[axis] + (*corner >> axis & 1), Integer(Integer(1) << piece.depth));
-      for (Rational& u : search.zero) u.canonicalize();
-      search.zero_sign = sgn(piece.form.corner(*corner));
-      return Attempt::zero;
-    }
-    if (exact::sign_pattern(piece.form).hull != 0) {
+    if (excludes_zero(piece.forms)) {
       search.tree += 'e';
       return Attempt::proved;
     }
+    for (unsigned corner = 0; corner < 1U << D; ++corner)
+      if (const auto changes = shows_zero(piece.forms, corner, search.sign)) {
+        for (std::size_t axis = 0; axis < D; ++axis) {
+          search.zero[axis] = Rational(piece.index[axis] + (corner >> axis & 1), Integer(Integer(1) << piece.depth));
+          search.zero[axis].canonicalize();
+        }
+        search.changes = *changes;
+        return Attempt::zero;
+      }
     if (search.boxes_left < (1U << D) || piece.depth == max_depth) return Attempt::gave_up;
     search.boxes_left -= 1U << D;
     search.tree += 's';
@@ -210,23 +258,28 @@ private:
       return search_piece(std::move(piece), search);
     }
     const std::size_t axis = axes - 1;
-    Piece lower{exact::halve(piece.form, axis), piece.index, piece.depth};
+    Piece lower{halve(piece.forms, axis), piece.index, piece.depth};
     ++piece.index[axis];
     const Attempt first = search_children(std::move(lower), search, axis);
     return first == Attempt::proved ? search_children(std::move(piece), search, axis) : first;
   }
 
-  /// A corner of the piece where the sign is not that of the cell's corners.
-  static std::optional<unsigned> other_corner(const Piece& piece, int sign)
+  /// Whether a corner shows a zero: by a change of sign (then `true`), or since it is one itself (`false`).
+  static std::optional<bool> shows_zero(const Forms& forms, unsigned corner, int sign)
   {
-    for (unsigned corner = 0; corner < 1U << D; ++corner)
-      if (sgn(piece.form.corner(corner)) != sign) return corner;
+    const auto vanishes = [&](const Bernstein_form<D>& form) { return form.corner(corner) == 0; };
+    if (std::all_of(forms.begin(), forms.end(), vanishes)) return false;
+    if (sign != 0 && sgn(forms.front().corner(corner)) != sign) return true;
     return std::nullopt;
   }
 
   void add_witness(const Witness<D>& witness, const Node& node)
   {
-    if (!certificate::is_acceptable(witness, rational_, result_.grid.cell_box(node.corner)))
+    const auto cell = result_.grid.cell_box(node.corner);
+    const auto proved = [&](const Polynomial<Rational, D>& g) { return certificate::is_acceptable(witness, g, cell); };
+    const auto* change = std::get_if<Sign_change<D>>(&witness);
+    const bool is_of_one_only = change != nullptr && change->first != change->second;
+    if ((is_of_one_only && rational_.size() > 1) || !std::all_of(rational_.begin(), rational_.end(), proved))
       return leave_unknown("hit, but the decision left no witness that the format can hold", node);
     result_.tree += 'w';
     ++result_.hit;
@@ -256,21 +309,22 @@ private:
   std::uint64_t settled_ = 0; ///< cells
   bool stopped_ = false;
   Subdivision_tree<D> tree_;
-  Cell_decider<D> decider_;
-  Polynomial<Rational, D> rational_; ///< the square-free part
   Certificate<D> result_;
+  std::function<Cell_decision<D>(const Cell<D>&)> decide_;
+  std::vector<Polynomial<Rational, D>> rational_{}; ///< the square-free parts
 };
 
 } // namespace
 
 template <std::size_t D>
-Certificate<D> certify(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Certify_options& options)
+Certificate<D> certify(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+                       const Certify_options& options)
 {
-  return Certifier<D>(f, grid, options).run();
+  return Certifier<D>(system, grid, options).run();
 }
 
-template Certificate<1> certify(const Polynomial<Rational, 1>&, const Grid<1>&, const Certify_options&);
-template Certificate<2> certify(const Polynomial<Rational, 2>&, const Grid<2>&, const Certify_options&);
-template Certificate<3> certify(const Polynomial<Rational, 3>&, const Grid<3>&, const Certify_options&);
+template Certificate<1> certify(const std::vector<Polynomial<Rational, 1>>&, const Grid<1>&, const Certify_options&);
+template Certificate<2> certify(const std::vector<Polynomial<Rational, 2>>&, const Grid<2>&, const Certify_options&);
+template Certificate<3> certify(const std::vector<Polynomial<Rational, 3>>&, const Grid<3>&, const Certify_options&);
 
 } // namespace corral

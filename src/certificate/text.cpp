@@ -62,11 +62,21 @@ Json write(const Proved_cell<D>& proved, const Grid<D>& grid)
   return write(std::get<Triangular_zero<D>>(proved.witness));
 }
 
+/// The entry of one polynomial: null if it is its own square-free part.
+template <std::size_t D>
+Json square_free(const Certified_polynomial<D>& f)
+{
+  if (integer_primitive(f.given) == f.square_free) return nullptr;
+  return {{"polynomial", terms(f.square_free)}, {"power", f.power}};
+}
+
 template <std::size_t D>
 Json square_free(const Certificate<D>& certificate)
 {
-  if (integer_primitive(certificate.polynomial) == certificate.square_free) return nullptr;
-  return Json::array({{{"polynomial", terms(certificate.square_free)}, {"power", certificate.power}}});
+  Json result = Json::array();
+  for (const auto& f : certificate.polynomials) result.push_back(square_free(f));
+  const bool all_null = std::all_of(result.begin(), result.end(), [](const Json& entry) { return entry.is_null(); });
+  return all_null ? Json(nullptr) : result;
 }
 
 } // namespace
@@ -84,7 +94,8 @@ std::string to_json(const Certificate<D>& certificate, const std::array<std::str
   root["version"] = 1;
   root["dimension"] = D;
   root["variables"] = variables;
-  root["polynomials"] = Json::array({terms(certificate.polynomial)});
+  root["polynomials"] = Json::array();
+  for (const auto& f : certificate.polynomials) root["polynomials"].push_back(terms(f.given));
   root["square_free"] = square_free(certificate);
   root["box"] = sides<D>(certificate.grid.box());
   root["resolution"] = certificate.grid.resolution();

@@ -6,6 +6,7 @@
 #include "multivariate.h"
 #include "on_box.h"
 #include "restriction.h"
+#include "zero_on_segment.h"
 
 #include <corral/polynomial/arithmetic.h>
 #include <corral/polynomial/square_free.h>
@@ -69,8 +70,9 @@ Cell_decision<D> Common_zeros<D>::decide(const Rational_box<D>& box)
   Cell_decision<D> on_common = empty<D>(Rung::integers);
   if (common_zeros_) {
     on_common = common_zeros_->decide(bernstein_form(common_, box), box);
+    // A change of sign proves a zero of the common factor, but not in the words of a system.
     if (const auto* change = std::get_if<Sign_change<D>>(&on_common.witness); change && change->first != change->second)
-      on_common.witness = std::monostate{}; // proves a zero of the common factor, but not in the words of a system
+      on_common.witness = witnesses_ == Witnesses::all ? zero_on_segment(common_, *change) : std::monostate{};
     if (on_common.verdict == Verdict::hit) return on_common;
   }
   auto rest = decide_rest(box);

@@ -14,7 +14,8 @@ target_sources(corral PRIVATE
   exact/ideal_raster.cpp
   exact/ideal_system.cpp
   exact/restriction.cpp
-  exact/real_roots.cpp)
+  exact/real_roots.cpp
+  exact/zero_on_segment.cpp)
 
 # Oracles of other makers, for tests and audits only; nothing of the library needs them.
 add_library(corral_oracles STATIC EXCLUDE_FROM_ALL exact/cgal_oracles.cpp exact/flint_oracles.cpp)

@@ -16,7 +16,7 @@ namespace {
 
 struct Certify_arguments
 {
-  std::string polynomial;
+  std::vector<std::string> polynomials;
   std::string box;
   std::string resolution;
   std::string variables;
@@ -35,9 +35,9 @@ void print_summary(const Certificate<D>& certificate, const std::string& path, s
 }
 
 template <std::size_t D>
-void certify_in(const Certify_arguments& arguments, const Space& space, const std::string& text)
+void certify_in(const Certify_arguments& arguments, const Space& space, const std::vector<std::string>& texts)
 {
-  const auto f = polynomials_of<D>(space, {text}).front();
+  const auto system = polynomials_of<D>(space, texts);
   const auto counts = read_resolution(arguments.resolution, D);
   Resolution<D> resolution;
   std::copy_n(counts.begin(), D, resolution.begin());
@@ -48,7 +48,7 @@ void certify_in(const Certify_arguments& arguments, const Space& space, const st
   Certify_options options;
   options.max_boxes = arguments.max_boxes;
   options.progress = [&](double done) { return progress(done); };
-  const auto certificate = certify(f, Grid<D>(box_of<D>(space), resolution), options);
+  const auto certificate = certify(system, Grid<D>(box_of<D>(space), resolution), options);
   std::string bytes = to_json(certificate, variables);
   if (arguments.output.ends_with(".gz")) bytes = gzip(bytes);
   write_whole_file(arguments.output, [&](std::ostream& stream) { stream << bytes; });
@@ -59,11 +59,12 @@ void certify_command(const Certify_arguments& arguments)
 {
   if (!arguments.output.ends_with(".json") && !arguments.output.ends_with(".json.gz"))
     throw Invalid_input("certify: output file '" + arguments.output + "'; expected a name ending in .json or .json.gz");
-  const std::string text = polynomial_text(arguments.polynomial);
-  const Space space = read_space(arguments.box, arguments.variables, {text});
+  std::vector<std::string> texts;
+  for (const auto& argument : arguments.polynomials) texts.push_back(polynomial_text(argument));
+  const Space space = read_space(arguments.box, arguments.variables, texts);
   with_dimension(space, [&](auto dimension) {
     if constexpr (dimension <= 3)
-      certify_in<dimension>(arguments, space, text);
+      certify_in<dimension>(arguments, space, texts);
     else
       throw Invalid_input("certify: given " + std::to_string(dimension) + " axes; expected 1 to 3");
   });
@@ -76,7 +77,9 @@ void add_certify(CLI::App& app)
   const auto arguments = std::make_shared<Certify_arguments>();
   CLI::App* const command =
       app.add_subcommand("certify", "Decide every cell exactly and write the proofs to a file for corral-check");
-  command->add_option("POLY", arguments->polynomial, "polynomial; @FILE reads it from a file, @- from standard input")
+  command
+      ->add_option("POLY", arguments->polynomials,
+                   "polynomial; @FILE reads it from a file, @- from standard input. Two: their common zeros.")
       ->required();
   command->add_option("--box", arguments->box, "LOWER:UPPER for each axis, separated by commas, such as -1:1,0:3/2")
       ->required();
@@ -86,11 +89,13 @@ void add_certify(CLI::App& app)
   command->add_option("--output", arguments->output, "certificate to write: .json or .json.gz")->required();
   command->add_option("--max-boxes", arguments->max_boxes, "boxes into which one cell may be cut to prove it empty")
       ->capture_default_str();
-  command->footer("When interrupted, what is proved by then is written and the rest left unknown.\n"
-                  "Example:\n"
-                  "  corral certify 'x^2 + y^2 - 1' --box -2:2,-2:2 --resolution 256 --output circle.json.gz\n"
-                  "  corral-check circle.json.gz\n"
-                  "The format is specified in doc/certificate.md.");
+  command->footer(
+      "When interrupted, what is proved by then is written and the rest left unknown.\n"
+      "Example:\n"
+      "  corral certify 'x^2 + y^2 - 1' --box -2:2,-2:2 --resolution 256 --output circle.json.gz\n"
+      "  corral-check circle.json.gz\n"
+      "  corral certify 'x^2+y^2+z^2-4' '(x-1)^2+y^2-1' --box -2:2,-2:2,-2:2 --resolution 32 --output v.json.gz\n"
+      "The format is specified in doc/certificate.md.");
   command->callback([arguments] { certify_command(*arguments); });
 }
 

@@ -40,7 +40,7 @@ Grid<D> cube(const char* lower, const char* upper, std::uint32_t cells)
 struct Case
 {
   std::size_t dimension;
-  const char* polynomial;
+  const char* polynomial; ///< two, with a semicolon between, for their common zeros
   const char* lower;
   const char* upper;
   std::uint32_t cells;
@@ -68,15 +68,38 @@ inline const std::vector<Case> cases = {
     {3, "x^2 + y^2 + z^2 - 1", "-2", "2", 4, 0},
     {3, "x*y*z", "-1", "1", 3, 0},
     {3, "(x - 1/3)^2*(y^2 + z^2)", "-1", "1", 4, 0},
-    {3, "x^2 - y^2*z", "-1", "1", 4, 0}, // Whitney's umbrella
+    {3, "x^2 - y^2*z", "-1", "1", 4, 0},                              // Whitney's umbrella
+    {3, "(x^2 - 2)^2 + (y^2 - 3)^2 + (z^2 - 5)^2", "-3", "3", 3, 8},  // isolated points with irrational coordinates
+    {3, "(x^2 + y^2 - 1/100)^2 + (z^2 - 2)^2", "-3", "3", 3, 2},      // closed curves inside cells
+    {2, "x^2 - 2; y^2 - 3", "-2", "2", 4, 4},                         // from here on systems
+    {2, "(x^2 - 2)^2*(y - 1); y^2 - 3", "-2", "2", 4, 4},             // with a square-free part
+    {2, "(3*x - 1)*(y - x); (3*x - 1)*(x + y - 1)", "-2", "2", 4, 4}, // a line and a point, (1/2, 1/2)
+    {2, "(x^2 + y^2 - 3)*(y - x); (x^2 + y^2 - 3)*(x + y - 1)", "-2", "2", 7, 0}, // a circle and a point
+    {2, "x^2 + y^2 - 1; x^2 + y^2 - 1 - 1/20", "-2", "2", 3, 0},                  // close, but without a common zero
+    {3, "x^2 + y^2 + z^2 - 4; (x - 1)^2 + y^2 - 1", "-2", "2", 4, 0},             // Viviani's curve
+    {3, "100*(x^2 + y^2 + z^2) - 1; 3*x + 5*y + 7*z - 1/10", "-2", "2", 3, 1},    // a circle inside a cell
+    {3, "7*z - 1; 7*z - 1 - (x^2 - 2)^2 - (y^2 - 3)^2", "-2", "2", 3, 4},         // contacts at irrational points
 };
+
+/// The polynomials of a case.
+template <std::size_t D>
+std::vector<Polynomial<Rational, D>> system_of(const Case& c)
+{
+  std::vector<Polynomial<Rational, D>> system;
+  const std::string text = c.polynomial;
+  for (std::size_t from = 0; from != std::string::npos;) {
+    const auto end = text.find(';', from);
+    system.push_back(parse_polynomial<D>(text.substr(from, end - from), names<D>()));
+    from = end == std::string::npos ? end : end + 1;
+  }
+  return system;
+}
 
 /// The text of a case's certificate.
 template <std::size_t D>
 std::string make_text(const Case& c)
 {
-  return to_json(certify(parse_polynomial<D>(c.polynomial, names<D>()), cube<D>(c.lower, c.upper, c.cells)),
-                 names<D>());
+  return to_json(certify(system_of<D>(c), cube<D>(c.lower, c.upper, c.cells)), names<D>());
 }
 
 inline std::string make_text(const Case& c)

@@ -4,7 +4,8 @@
 
 #include <localization/paper_polynomials.h>
 
-#include <corral/verification/ideal_raster.h>
+#include <corral/polynomial/square_free.h>
+#include <corral/verification/ideal_system.h>
 
 #include <gtest/gtest.h>
 
@@ -30,19 +31,27 @@ std::string rejection(const std::string& bytes)
   return {};
 }
 
-template <std::size_t D>
-std::uint64_t exact_hits(const Case& c)
+template <std::size_t D, class Decider>
+std::uint64_t count_hits(Decider decider, std::uint32_t cells)
 {
-  const auto grid = cube<D>(c.lower, c.upper, c.cells);
-  Cell_decider<D> decider(parse_polynomial<D>(c.polynomial, names<D>()), grid);
   std::uint64_t hits = 0;
   Cell<D> cell{};
   for (std::size_t axis = 0; axis < D;) {
     hits += decider.decide(cell).verdict == Verdict::hit ? 1 : 0;
-    for (axis = 0; axis < D && ++cell[axis] == c.cells; ++axis) cell[axis] = 0;
+    for (axis = 0; axis < D && ++cell[axis] == cells; ++axis) cell[axis] = 0;
     if (axis < D) axis = 0;
   }
   return hits;
+}
+
+template <std::size_t D>
+std::uint64_t exact_hits(const Case& c)
+{
+  const auto grid = cube<D>(c.lower, c.upper, c.cells);
+  const auto system = system_of<D>(c);
+  if constexpr (D > 1)
+    if (system.size() > 1) return count_hits<D>(System_decider<D>(system, grid), c.cells);
+  return count_hits<D>(Cell_decider<D>(system.front(), grid), c.cells);
 }
 
 TEST(Certify, writes_what_the_checker_accepts)
@@ -97,6 +106,23 @@ TEST(Certify, keeps_what_it_has_proved_when_stopped)
   EXPECT_EQ(check(to_json(certificate, names<2>())).unknown, certificate.unknown);
 }
 
+/// What proves a system is no proof of one of its polynomials alone, and the other way round.
+TEST(Certify, proofs_of_systems_are_not_interchangeable)
+{
+  const auto grid = cube<2>("-2", "2", 4);
+  const auto f = parse_polynomial<2>("x^2 - 2", names<2>());
+  const auto g = parse_polynomial<2>("y^2 - 3", names<2>());
+  const auto h = parse_polynomial<2>("y^2 - 3 - 1/1000", names<2>());
+  const std::string whole = to_json(certify(std::vector{f, g}, grid), names<2>());
+  EXPECT_EQ(rejection(whole), "");
+  auto forged = certify(std::vector{f, g}, grid);
+  forged.polynomials[1] = {h, square_free_part(h)};
+  EXPECT_NE(rejection(to_json(forged, names<2>())).find("does not reduce to zero"), std::string::npos);
+  forged = certify(f, grid);
+  forged.polynomials.push_back({g, square_free_part(g)});
+  EXPECT_NE(rejection(to_json(forged, names<2>())), "");
+}
+
 TEST(Certify, gives_up_with_a_reason_when_boxes_run_out)
 {
   Certify_options options;
@@ -113,6 +139,11 @@ TEST(Certify, refuses_bad_input)
   const auto grid = cube<2>("0", "1", 2);
   EXPECT_THROW(static_cast<void>(certify(Polynomial<Rational, 2>{}, grid)), Invalid_input);
   EXPECT_THROW(static_cast<void>(certify(parse_polynomial<2>("x^300*y^300 - 1", names<2>()), grid)), Budget_exceeded);
+  const auto line = parse_polynomial<1>("x", names<1>());
+  EXPECT_THROW(static_cast<void>(certify(std::vector{line, line}, cube<1>("0", "1", 2))), Invalid_input);
+  const auto curve = parse_polynomial<2>("x", names<2>());
+  EXPECT_THROW(static_cast<void>(certify(std::vector{curve, curve, curve}, grid)), Invalid_input);
+  EXPECT_THROW(static_cast<void>(certify(std::vector{curve, Polynomial<Rational, 2>{}}, grid)), Invalid_input);
   const auto certificate = certify(parse_polynomial<2>("x - y", names<2>()), grid);
   EXPECT_THROW((static_cast<void>(to_json<2>(certificate, {"x", "x"}))), Invalid_input);
 }

@@ -19,28 +19,35 @@
 /// with this library can check. The format is specified in doc/certificate.md; `corral-check` checks it.
 namespace corral {
 
-/// A `hit` that the corners of its cell do not show, with what proves it.
+/// A `hit` that the corners of its cell do not show, with what proves it of every polynomial.
 template <std::size_t D>
 struct Proved_cell
 {
   Cell<D> cell{};
-  Witness<D> witness{}; ///< a `Sign_change` or a `Triangular_zero`, of the square-free part
+  Witness<D> witness{}; ///< a `Sign_change` or a `Triangular_zero`, of the square-free parts
+};
+
+/// A polynomial as given, and the one that the proofs are about.
+template <std::size_t D>
+struct Certified_polynomial
+{
+  Polynomial<Rational, D> given;
+  Polynomial<Integer, D> square_free; ///< it has the same zeros
+  unsigned power = 1;                 ///< `given` divides this power of `square_free`
 };
 
 /// \brief What a file of proofs contains; doc/certificate.md gives the meaning of the parts.
 template <std::size_t D>
 struct Certificate
 {
-  Polynomial<Rational, D> polynomial;    ///< as given
-  Polynomial<Integer, D> square_free;    ///< the proofs are about this one, which has the same zeros
-  unsigned power = 1;                    ///< `polynomial` divides this power of `square_free`
-  Grid<D> grid;                          ///< the cells
-  std::string tree;                      ///< one character for each box
-  std::vector<Proved_cell<D>> witnesses; ///< those that the tree refers to, in its order
-  std::vector<std::string> reasons;      ///< why cells are unknown
-  std::uint64_t empty = 0;               ///< number of cells
-  std::uint64_t hit = 0;                 ///< number of cells
-  std::uint64_t unknown = 0;             ///< number of cells
+  std::vector<Certified_polynomial<D>> polynomials; ///< whose common zeros are asked for
+  Grid<D> grid;                                     ///< the cells
+  std::string tree{};                               ///< one character for each box
+  std::vector<Proved_cell<D>> witnesses{};          ///< those that the tree refers to, in its order
+  std::vector<std::string> reasons{};               ///< why cells are unknown
+  std::uint64_t empty = 0;                          ///< number of cells
+  std::uint64_t hit = 0;                            ///< number of cells
+  std::uint64_t unknown = 0;                        ///< number of cells
 
   [[nodiscard]] std::uint64_t plotted() const { return hit + unknown; }
 };
@@ -58,16 +65,26 @@ struct Certify_options
 /// \brief Decides every cell of the grid exactly and proves it.
 ///
 /// Boxes without zeros are proved empty by Bernstein coefficients over integers, cells by the signs at their corners;
-/// the few others are decided by `Cell_decider` and proved by its witness. A decision that leaves no witness which the
-/// format can hold is given up as unknown, with a reason: nothing is written that a checker would refuse.
+/// the few others are decided by `Cell_decider` or `System_decider` and proved by the witness. A decision that leaves
+/// no witness which the format can hold is given up as unknown, with a reason: nothing is written that a checker would
+/// refuse.
 ///
-/// \throw Invalid_input if `f` is zero or the grid has 2^62 cells or more.
+/// \param system  one polynomial, or in two and three dimensions two of them, whose common zeros are asked for.
+/// \throw Invalid_input if a polynomial is zero, their number is not as above or the grid has 2^62 cells or more.
 /// \throw Budget_exceeded if the degrees are above the limits of the format.
-/// \throw Cancelled if it is stopped before the square-free part is known.
+/// \throw Cancelled if it is stopped before the square-free parts are known.
 /// \par Complexity  As for an ideal raster; n^2/2 additions of integers for each box and line of degree n.
 template <std::size_t D>
-[[nodiscard]] Certificate<D> certify(const Polynomial<Rational, D>& f, const Grid<D>& grid,
+[[nodiscard]] Certificate<D> certify(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
                                      const Certify_options& options = {});
+
+/// The same for one polynomial.
+template <std::size_t D>
+[[nodiscard]] Certificate<D> certify(const Polynomial<Rational, D>& f, const Grid<D>& grid,
+                                     const Certify_options& options = {})
+{
+  return certify(std::vector{f}, grid, options);
+}
 
 /// The certificate as JSON text. \throw Invalid_input if two variables have the same name.
 template <std::size_t D>
