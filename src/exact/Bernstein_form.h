@@ -77,8 +77,10 @@ void shift_power_form(Bernstein_form<D>& form, std::size_t axis, unsigned long o
   const std::size_t n = form.size[axis] - 1;
   for_each_line(form, axis, [&](std::size_t first) {
     Integer* c = &form.values[first];
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = n; j-- > i;)
+    std::size_t top = n; // degree of the line
+    while (top > 0 && c[top * stride] == 0) --top;
+    for (std::size_t i = 0; i < top; ++i)
+      for (std::size_t j = top; j-- > i;)
         mpz_addmul_ui(c[j * stride].get_mpz_t(), c[(j + 1) * stride].get_mpz_t(), offset);
   });
 }

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "Interval_rung.h"
+#include "Tiled_form.h"
 #include "Zero_set.h"
 #include "decide_cells.h"
 
 #include <corral/errors.h>
-#include <corral/number/Mpfr_interval.h>
-#include <corral/number/Outward_interval.h>
 #include <corral/polynomial/square_free.h>
 #include <corral/verification/ideal_raster.h>
 
-#include <algorithm>
-#include <optional>
 #include <utility>
 
 namespace corral {
@@ -20,21 +16,14 @@ struct Cell_decider<D>::State
 {
   State(const Polynomial<Rational, D>& f, const Grid<D>& the_grid, const Checkpoint& checkpoint, Witnesses witnesses)
       : grid(the_grid), free(square_free_part(f)),
-        form(exact::dense_power_form(exact::in_grid_coordinates(free, the_grid))), doubles(form),
+        form(exact::dense_power_form(exact::in_grid_coordinates(free, the_grid))),
         zeros([g = free] { return g; }, checkpoint, witnesses)
-  {
-    const auto wide = [](const Integer& c) { return mpz_sizeinbase(c.get_mpz_t(), 2) > worth_mpfr; };
-    if (std::any_of(form.values.begin(), form.values.end(), wide)) mpfr.emplace(form);
-  }
+  {}
 
   Grid<D> grid;
   Polynomial<Integer, D> free;
-  exact::Bernstein_form<D> form; ///< power coefficients in grid coordinates
-  exact::Interval_rung<Outward_interval, D> doubles;
-  std::optional<exact::Interval_rung<Mpfr_interval, D>> mpfr; ///< only where the integers are much longer
+  exact::Tiled_form<D> form;
   exact::Zero_set<D> zeros;
-
-  static constexpr std::size_t worth_mpfr = 1024; ///< bits of a coefficient
 };
 
 template <std::size_t D>
@@ -62,10 +51,8 @@ const Polynomial<Integer, D>& Cell_decider<D>::square_free() const
 template <std::size_t D>
 Cell_decision<D> Cell_decider<D>::decide(const Cell<D>& cell)
 {
-  if (auto decision = state_->doubles.decide(state_->grid, cell, Rung::intervals)) return *decision;
-  if (state_->mpfr)
-    if (auto decision = state_->mpfr->decide(state_->grid, cell, Rung::mpfr)) return *decision;
-  return state_->zeros.decide(exact::on_cell(state_->form, cell), state_->grid.cell_box(cell));
+  if (auto decision = state_->form.decide_by_intervals(state_->grid, cell)) return *decision;
+  return state_->zeros.decide(state_->form.on_cell(cell), state_->grid.cell_box(cell));
 }
 
 template <std::size_t D>
