@@ -7,7 +7,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -27,7 +26,6 @@ struct Raster_audit
   std::string file;
   std::uint64_t repeated = 0;
   Raster_judgement<D> judgement;
-  std::map<std::string, std::uint64_t> reasons; ///< why the truth of cells is not known, with their number
 };
 
 /// How much the reports for people list of each kind of cell.

@@ -76,7 +76,7 @@ void audit_in(const Raster_arguments& arguments, const Space& space, const std::
   const auto counts = read_resolution(arguments.resolution, D);
   Resolution<D> resolution;
   std::copy_n(counts.begin(), D, resolution.begin());
-  Raster_audit<D> audit{Grid<D>(box_of<D>(space), resolution), {}, texts, arguments.cells, 0, {}, {}};
+  Raster_audit<D> audit{Grid<D>(box_of<D>(space), resolution), {}, texts, arguments.cells, 0, {}};
   std::copy_n(space.variables.begin(), D, audit.variables.begin());
   Raster_options reading = arguments.reading;
   reading.variables = space.variables;
@@ -88,7 +88,6 @@ void audit_in(const Raster_arguments& arguments, const Space& space, const std::
     const auto ideal = truth<D>(system, audit.grid, arguments.max_cells, progress);
     audit.repeated = raster.repeated;
     audit.judgement = judge(ideal.cells, raster);
-    audit.reasons = ideal.reasons;
   }
   Evidence_finder<D> evidence(system, audit.grid, [] {
     if (interrupted_by() != 0) throw Cancelled("audit raster");

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "bound_over.h"
 #include "commands.h"
+#include "files.h"
 
 #include <corral/bounders/all.h>
 #include <corral/number/all.h>
-#include <corral/output/Output_file.h>
 
-#include <cerrno>
-#include <cstring>
 #include <iostream>
 #include <memory>
+#include <sstream>
 
 namespace corral::program {
 
@@ -20,20 +19,45 @@ struct Bound_arguments
   std::string polynomial;
   std::string box;
   std::string variables;
+  std::string point;
   Method method;
 };
 
+// Reads X,Y,... and checks that the point lies in the box.
+std::vector<Rational> read_point(const std::string& text, const Space& space)
+{
+  std::vector<Rational> point;
+  std::istringstream in(text);
+  for (std::string coordinate; std::getline(in, coordinate, ',');) {
+    coordinate.erase(0, coordinate.find_first_not_of(' '));
+    point.push_back(parse_rational(coordinate));
+  }
+  if (point.size() != space.sides.size())
+    throw Invalid_input("at: given " + std::to_string(point.size()) + " coordinates; expected "
+                        + std::to_string(space.sides.size()) + ", one for each side of the box");
+  for (std::size_t axis = 0; axis < point.size(); ++axis)
+    if (!contains(space.sides[axis], point[axis]))
+      throw Invalid_input("at: coordinate " + std::to_string(axis) + " is " + to_string(point[axis])
+                          + "; expected a point of the box");
+  return point;
+}
+
+void print(const Value_answer& at_point)
+{
+  std::cout << "value:   " << to_string(at_point.value) << '\n'
+            << (at_point.is_contained ? "the bound contains the value\n"
+                                      : "ESCAPE: the bound does not contain the value at this point of the box\n");
+}
+
 void print(const Bound_answer& answer, const std::string& number)
 {
-  errno = 0;
   std::cout << "exact:   " << answer.exact << '\n' << "decimal: " << answer.decimal << '\n';
   if (answer.counts != Operation_counts{})
     std::cout << "counted: " << answer.counts.additions << " additions, " << answer.counts.multiplications
               << " multiplications\n";
   if (!answer.is_guaranteed)
     std::cout << "note: not guaranteed: " << number << " rounds to nearest, so that values may lie outside\n";
-  if (!std::cout.flush())
-    throw Output_error(std::string("output: cannot write standard output: ") + std::strerror(errno != 0 ? errno : EIO));
+  if (answer.at_point) print(*answer.at_point);
 }
 
 void bound_command(const Bound_arguments& arguments)
@@ -41,11 +65,13 @@ void bound_command(const Bound_arguments& arguments)
   const Method& method = arguments.method;
   if (method.order == 0) throw Invalid_input("order: given 0; expected a whole number from 1");
   const std::string text = polynomial_text(arguments.polynomial);
-  const Bound_problem problem{read_space(arguments.box, arguments.variables, {text}), text, method};
+  Bound_problem problem{read_space(arguments.box, arguments.variables, {text}), text, method, {}};
+  if (!arguments.point.empty()) problem.point = read_point(arguments.point, problem.space);
   const Mpfr_precision_scope precision(method.precision);
   const auto answer =
       Number_types::visit(method.number, [&]<class I>(std::type_identity<I>) { return bound_over<I>(problem); });
-  print(answer, method.number);
+  print_whole([&](std::ostream&) { print(answer, method.number); });
+  if (answer.at_point && !answer.at_point->is_contained) throw CLI::RuntimeError(1);
 }
 
 } // namespace
@@ -66,7 +92,10 @@ void add_bound(CLI::App& app)
   command->add_option("--order", method.order, "order of a Taylor method")->capture_default_str();
   command->add_option("--number", method.number, "number type; see corral list")->capture_default_str();
   command->add_option("--precision", method.precision, "bits of number type mpfr")->capture_default_str();
+  command->add_option("--at", arguments->point,
+                      "X,Y,...: a point of the box; says whether the bound contains the exact value there");
   command->footer("Prints the interval exactly, as fractions or hexadecimal floats, and in decimals rounded outward.\n"
+                  "Exit codes: 0 done, 1 failed or the bound does not contain the value at the point, 2 bad usage.\n"
                   "Examples:\n"
                   "  corral bound 'x^2 - x*y' --box 0:1,0:1\n"
                   "  corral bound 'x^3 - 1/3' --box -1:1 --bounder bernstein --number rational");

@@ -5,6 +5,6 @@
 
 namespace corral::program {
 
-template Bound_answer bound_over<Cgal_interval>(const Bound_problem&);
+CORRAL_INSTANTIATE_BOUNDERS(Cgal_interval)
 
 } // namespace corral::program

@@ -5,6 +5,6 @@
 
 namespace corral::program {
 
-template Bound_answer bound_over<Counted<Outward_interval>>(const Bound_problem&);
+CORRAL_INSTANTIATE_BOUNDERS(Counted<Outward_interval>)
 
 } // namespace corral::program

@@ -5,6 +5,6 @@
 
 namespace corral::program {
 
-template Bound_answer bound_over<Nearest_interval>(const Bound_problem&);
+CORRAL_INSTANTIATE_BOUNDERS(Nearest_interval)
 
 } // namespace corral::program

@@ -5,6 +5,6 @@
 
 namespace corral::program {
 
-template Bound_answer bound_over<Rational_interval>(const Bound_problem&);
+CORRAL_INSTANTIATE_BOUNDERS(Rational_interval)
 
 } // namespace corral::program

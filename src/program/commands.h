@@ -18,6 +18,7 @@ void add_list(CLI::App& app);
 void add_audit(CLI::App& app);
 
 /// The commands under `audit`.
+void add_audit_bounders(CLI::App& audit);
 void add_audit_raster(CLI::App& audit);
 
 } // namespace corral::program

@@ -18,6 +18,10 @@ td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; }
 code, pre { font: .84rem/1.4 "DejaVu Sans Mono", Menlo, Consolas, monospace; }
 pre { background: #f6f6f4; padding: .6rem .8rem; overflow-x: auto; white-space: pre-wrap; overflow-wrap: anywhere; }
 svg { display: block; max-width: 100%; height: auto; } svg text { font: 13px Georgia, "DejaVu Serif", serif; }
+h3 { font-size: 1.05rem; margin: 1.4rem 0 .3rem; }
+.plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(400px, 1fr)); gap: .6rem 1.2rem; }
+.legend { max-width: none; font-size: .85rem; } .legend span { white-space: nowrap; margin-right: 1.1em; }
+.legend svg { display: inline-block; vertical-align: middle; }
 .good { color: #1b6e3a; } .bad { color: #b00020; } .note { color: #555; font-size: .9rem; }
 .key { display: inline-block; width: .8em; height: .8em; vertical-align: -.05em; }
 sup, sub { font-size: .72em; line-height: 0; }
