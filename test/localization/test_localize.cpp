@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "exact_cells.h"
+
 #include <corral/bounders/Modified_affine_bounder.h>
 #include <corral/bounders/Recursive_taylor_bounder.h>
 #include <corral/localization/localize.h>
@@ -42,15 +44,10 @@ Curve twenty_lines()
 std::size_t lost_cells(const Curve& f, const Grid<2>& grid, const Cell_set<2>& cells)
 {
   std::size_t lost = 0;
-  const auto sign_at = [&](std::uint32_t i, std::uint32_t j) {
-    return sgn(evaluate(f, std::array<Rational, 2>{grid.line(0, i), grid.line(1, j)}));
-  };
-  std::vector<std::vector<int>> signs(grid.resolution()[0] + 1);
-  for (std::uint32_t i = 0; i < signs.size(); ++i)
-    for (std::uint32_t j = 0; j <= grid.resolution()[1]; ++j) signs[i].push_back(sign_at(i, j));
+  const corral::test::Grid_signs signs(f, grid);
   for (std::uint32_t i = 0; i < grid.resolution()[0]; ++i)
     for (std::uint32_t j = 0; j < grid.resolution()[1]; ++j) {
-      const auto corners = {signs[i][j], signs[i + 1][j], signs[i][j + 1], signs[i + 1][j + 1]};
+      const auto corners = {signs.at(i, j), signs.at(i + 1, j), signs.at(i, j + 1), signs.at(i + 1, j + 1)};
       const bool is_hit = std::min(corners) <= 0 && std::max(corners) >= 0;
       if (is_hit && cells.at({i, j}) == Verdict::empty) ++lost;
     }
