@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <corral/bounders/Modified_affine_bounder.h>
 #include <corral/bounders/Recursive_taylor_bounder.h>
+#include <corral/number/Counted.h>
 #include <corral/number/Rational_interval.h>
 #include <corral/polynomial/evaluate.h>
 #include <corral/polynomial/parse.h>
@@ -62,6 +63,25 @@ TEST(Recursive_taylor, of_order_2_is_the_algorithm_of_the_paper)
     const Box<I, 2> box{I(Rational(-1, 4), Rational(3, 5)), I(Rational(1, 7), 2)};
     EXPECT_TRUE(equal(Recursive_taylor_bounder<I, 2>(curve(text)).bound(box), bound_by_figure_2(curve(text), box)))
         << text;
+  }
+}
+
+// Why there is no option to stop at linear polynomials: doc/decisions/linear_polynomials.md.
+TEST(Recursive_taylor, stops_at_linear_polynomials)
+{
+  const Box<I, 2> box{I(Rational(-1, 4), Rational(3, 5)), I(Rational(1, 7), 2)};
+  const I range = I(2) * box[0] - I(3) * box[1] + I(1); // each variable once, hence exact
+  using N = Counted<I>;
+  const auto f =
+      transform<N>(parse_polynomial<2>("2*x - 3*y + 1", {"x", "y"}), [](const Rational& c) { return enclose<N>(c); });
+  const Box<N, 2> counted_box{N(box[0]), N(box[1])};
+  Operation_counts fewest;
+  for (unsigned order = 1; order <= 4; ++order) {
+    const Recursive_taylor_bounder<N, 2> bounder(f, {.order = order});
+    const Counting_scope counting;
+    EXPECT_TRUE(equal(bounder.bound(counted_box).value(), range)) << order;
+    if (order == 1) fewest = counting.counts();
+    EXPECT_EQ(counting.counts(), fewest) << order;
   }
 }
 

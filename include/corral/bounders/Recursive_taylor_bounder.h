@@ -26,7 +26,8 @@ namespace corral {
 ///     B_b = s_b + sum_{0<|a|<m} C(a+b, a) s_{a+b} e_a + sum_{|a|=m} C(a+b, a) B_{a+b} e_a,
 /// with e_a = [0, 1] where every exponent of a is even, else [-1, 1], and C the product of binomial coefficients;
 /// B_0 bounds f. The recursion reaches a derivative along many paths; each is evaluated and bounded once a box. It
-/// ends by itself at linear polynomials, whose bound is exact, because derivatives that vanish are never visited.
+/// ends by itself at linear polynomials, whose bound is exact, because derivatives that vanish are never visited;
+/// see doc/decisions/linear_polynomials.md.
 ///
 /// \tparam I  model of `IntervalNumber`. It does all the rounding; this class does none.
 /// \par Complexity  That of `Scaled_taylor::expand`, two multiplications for each of its n coefficients, and at most
@@ -93,8 +94,8 @@ private:
     return {places_.at(exponents), static_cast<std::size_t>(exponents.rend() - last) - 1};
   }
 
-  // Numbers the derivatives to bound in the order of discovery. A derivative is discovered from lower ones only if
-  // sorted by the sum of exponents, which a queue does: each step raises the sum by the order.
+  // Plans the expansions of f and of the derivatives that the recursion bounds, breadth first: each step raises the
+  // sum of the exponents by the order, so that an expansion refers to later ones only.
   void plan(const std::vector<Exponents<D>>& exponents, unsigned order)
   {
     std::map<Exponents<D>, std::size_t> numbers{{Exponents<D>{}, 0}};
