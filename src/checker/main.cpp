@@ -34,9 +34,15 @@ std::string one_line(std::string message)
 
 int main(int argc, char** argv)
 {
+  if (argc == 2 && std::string_view(argv[1]) == "--help") {
+    std::cout << "usage: corral-check FILE\nChecks a certificate (JSON or gzip), as doc/certificate.md specifies.\n"
+                 "Exit codes: 0 accepted, 1 rejected, 2 not checked.\n";
+    return 0;
+  }
   if (argc != 2 || std::string_view(argv[1]).starts_with("--")) {
-    std::cerr << "usage: corral-check FILE\nChecks a certificate (JSON or gzip), as doc/certificate.md specifies.\n";
-    return argc == 2 && std::string_view(argv[1]) == "--help" ? 0 : 2;
+    std::cerr << "corral-check: given " << (argc == 2 ? one_line(argv[1]) : std::to_string(argc - 1) + " arguments")
+              << "; expected one, the file of a certificate; see corral-check --help\n";
+    return 2;
   }
   std::string bytes;
   try {
@@ -49,7 +55,9 @@ int main(int argc, char** argv)
     const corral_check::Counts counts = corral_check::check(bytes);
     std::cout << "accepted: " << counts.empty + counts.hit + counts.unknown << " cells, " << counts.empty << " empty, "
               << counts.hit << " hit, " << counts.unknown << " unknown" << std::endl;
-    return std::cout ? 0 : 2;
+    if (std::cout) return 0;
+    std::cerr << "corral-check: cannot write standard output\n";
+    return 2;
   } catch (const corral_check::Rejected& error) {
     std::cout << "rejected: " << one_line(error.what()) << '\n';
   } catch (const std::exception& error) { // out of memory, for one

@@ -2,6 +2,7 @@
 #include "bound_over.h"
 #include "commands.h"
 #include "files.h"
+#include "whole_number.h"
 
 #include <corral/bounders/all.h>
 #include <corral/number/all.h>
@@ -63,7 +64,6 @@ void print(const Bound_answer& answer, const std::string& number)
 void bound_command(const Bound_arguments& arguments)
 {
   const Method& method = arguments.method;
-  if (method.order == 0) throw Invalid_input("order: given 0; expected a whole number from 1");
   const std::string text = polynomial_text(arguments.polynomial);
   Bound_problem problem{read_space(arguments.box, arguments.variables, {text}), text, method, {}};
   if (!arguments.point.empty()) problem.point = read_point(arguments.point, problem.space);
@@ -89,9 +89,13 @@ void add_bound(CLI::App& app)
   command->add_option("--variables", arguments->variables, "names of the axes in order (else alphabetical)");
   Method& method = arguments->method;
   command->add_option("--bounder", method.bounder, "how ranges are bounded; see corral list")->capture_default_str();
-  command->add_option("--order", method.order, "order of a Taylor method")->capture_default_str();
+  command->add_option("--order", method.order, "order of a Taylor method")
+      ->check(whole_number(1))
+      ->capture_default_str();
   command->add_option("--number", method.number, "number type; see corral list")->capture_default_str();
-  command->add_option("--precision", method.precision, "bits of number type mpfr")->capture_default_str();
+  command->add_option("--precision", method.precision, "bits of number type mpfr")
+      ->check(whole_number(1))
+      ->capture_default_str();
   command->add_option("--at", arguments->point,
                       "X,Y,...: a point of the box; says whether the bound contains the exact value there");
   command->footer("Prints the interval exactly, as fractions or hexadecimal floats, and in decimals rounded outward.\n"

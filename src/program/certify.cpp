@@ -2,12 +2,14 @@
 #include "Progress.h"
 #include "arguments.h"
 #include "commands.h"
+#include "whole_number.h"
 
 #include <corral/output/Output_file.h>
 #include <corral/verification/certificate.h>
 
 #include <algorithm>
 #include <iostream>
+#include <limits>
 #include <memory>
 
 namespace corral::program {
@@ -31,7 +33,6 @@ void print_summary(const Certificate<D>& certificate, const std::string& path, s
             << " empty, " << certificate.hit << " hit, " << certificate.unknown << " unknown; " << bytes << " bytes in "
             << path << '\n';
   for (const auto& reason : certificate.reasons) std::cout << "unknown: " << reason << '\n';
-  if (!std::cout.flush()) throw Output_error("certify: cannot write standard output");
 }
 
 template <std::size_t D>
@@ -88,6 +89,7 @@ void add_certify(CLI::App& app)
   command->add_option("--variables", arguments->variables, "names of the axes in order (else alphabetical)");
   command->add_option("--output", arguments->output, "certificate to write: .json or .json.gz")->required();
   command->add_option("--max-boxes", arguments->max_boxes, "boxes into which one cell may be cut to prove it empty")
+      ->check(whole_number(1, std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();
   command->footer(
       "When interrupted, what is proved by then is written and the rest left unknown.\n"

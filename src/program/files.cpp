@@ -25,12 +25,17 @@ void require_endings(const std::vector<std::string>& paths, std::initializer_lis
       throw Invalid_input("output: '" + path + "' has no known ending; expected one of " + known);
 }
 
+void flush_standard_output()
+{
+  if (!std::cout.flush())
+    throw Output_error(std::string("output: cannot write standard output: ") + std::strerror(errno != 0 ? errno : EIO));
+}
+
 void print_whole(const std::function<void(std::ostream&)>& print)
 {
   errno = 0;
   print(std::cout);
-  if (!std::cout.flush())
-    throw Output_error(std::string("output: cannot write standard output: ") + std::strerror(errno != 0 ? errno : EIO));
+  flush_standard_output();
 }
 
 } // namespace corral::program

@@ -16,6 +16,9 @@ namespace corral::program {
 /// \throw Invalid_input that lists the endings if one of the names has none of them.
 void require_endings(const std::vector<std::string>& paths, std::initializer_list<const char*> endings);
 
+/// Sends off what was printed. \throw Output_error if any of it could not be written.
+void flush_standard_output();
+
 /// \brief Calls `print` on standard output.
 /// \throw Output_error if not everything could be written.
 void print_whole(const std::function<void(std::ostream&)>& print);

@@ -11,7 +11,6 @@
 
 #include <iterator>
 #include <span>
-#include <system_error>
 
 namespace corral::program {
 
@@ -213,7 +212,7 @@ constexpr Section sections[] = {
      "its subvoxel test bounded the polynomial of Example 20 instead. Both counts are given."},
     {22, "Space curves",
      "Where two surfaces meet: a cell is kept while neither polynomial excludes it. The third is "
-     "two spheres that touch in a single point, the origin, which eight voxels share."}};
+     "two spheres that touch in a single point, the origin, which eight voxels share: a speck in the finer picture."}};
 
 std::string page(const std::vector<std::string>& cards, const std::string& number)
 {
@@ -233,9 +232,6 @@ std::string page(const std::vector<std::string>& cards, const std::string& numbe
 void draw_gallery(const fs::path& folder, const std::string& number,
                   const std::function<bool(const std::string&)>& report)
 {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw Output_error("gallery: cannot make folder '" + folder.string() + "': " + error.message());
   std::vector<std::string> cards;
   for (const Figure& figure : all_figures(number)) {
     const Counts counts = draw(folder, figure);

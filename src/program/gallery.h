@@ -10,6 +10,7 @@ namespace corral::program {
 
 /// \brief Draws Figures 3 to 24 of the paper and some space curves into a folder, with a page `index.html` that shows
 /// them.
+/// \pre The folder exists.
 /// \param number  the number type of the figures.
 /// \param report  called with a line of text after each picture; `false` stops the run.
 /// \throw Output_error if the folder cannot be written; Cancelled.

@@ -4,14 +4,14 @@
 #include "commands.h"
 #include "engine.h"
 #include "exact_engine.h"
+#include "whole_number.h"
 
 #include <corral/output/all.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
-#include <cstring>
 #include <iostream>
+#include <limits>
 
 namespace corral::program {
 
@@ -37,7 +37,6 @@ struct Localize_arguments
 template <std::size_t D>
 void print(const std::string& format, const Grid<D>& grid, const Cell_set<D>& cells, const Output_options& options)
 {
-  errno = 0;
   if (format == "csv")
     write_csv(std::cout, grid, cells, options);
   else if (format == "json")
@@ -46,8 +45,6 @@ void print(const std::string& format, const Grid<D>& grid, const Cell_set<D>& ce
     write_text(std::cout, grid, cells, options);
   else
     write_summary(std::cout, grid, cells, options);
-  if (!std::cout.flush())
-    throw Output_error(std::string("output: cannot write standard output: ") + std::strerror(errno != 0 ? errno : EIO));
 }
 
 using Facts = std::vector<std::pair<std::string, Output_options::Fact>>;
@@ -201,18 +198,23 @@ void add_localize(CLI::App& app)
   Localize_settings& settings = arguments->settings;
   command->add_option("--bounder", settings.method.bounder, "how ranges are bounded; see corral list")
       ->capture_default_str();
-  command->add_option("--order", settings.method.order, "order of the recursive Taylor method")->capture_default_str();
+  command->add_option("--order", settings.method.order, "order of the recursive Taylor method")
+      ->check(whole_number(1))
+      ->capture_default_str();
   command->add_option("--number", settings.method.number, "number type; see corral list")->capture_default_str();
-  command->add_option("--precision", settings.method.precision, "bits of number type mpfr")->capture_default_str();
+  command->add_option("--precision", settings.method.precision, "bits of number type mpfr")
+      ->check(whole_number(1))
+      ->capture_default_str();
   command->add_option("--engine", settings.engine, "fast: Taylor forms in doubles; paper: the subdivision of the paper")
       ->check(CLI::IsMember({"fast", "paper"}))
       ->default_str("fast; paper where one of its options is given");
   command->add_option("--threads", settings.threads, "threads of the fast engine; 0: one for each processor")
+      ->check(whole_number(0, 1024))
       ->capture_default_str();
   command
       ->add_option("--repeat", arguments->repeat,
                    "run the computation so many times; the summary says the least and the median time")
-      ->check(CLI::Range(1U, 1'000'000U))
+      ->check(whole_number(1))
       ->capture_default_str();
   command->add_flag("--exact", arguments->exact,
                     "decide every cell exactly: one polynomial in 1 to 3 variables, or two in 2 or 3");
@@ -221,13 +223,16 @@ void add_localize(CLI::App& app)
   command->add_flag("--plus", arguments->plus, "--sample and --refine: the paper's RT++ and MAA++");
   command->add_flag("--count", settings.count, "count additions and multiplications (paper's engine)");
   command->add_option("--max-cells", settings.max_cells, "fail when more cells would be plotted")
+      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();
   command->add_option("--output", arguments->outputs, "file to write, of a kind told by its ending; may be repeated")
       ->take_all()
       ->expected(1);
   command->add_option("--format", arguments->format, "what to print: csv, json, text, or summary (a line of JSON)")
       ->check(CLI::IsMember({"csv", "json", "text", "summary"}));
-  command->add_option("--size", arguments->size, "longer side of pictures in pixels")->capture_default_str();
+  command->add_option("--size", arguments->size, "longer side of pictures in pixels")
+      ->check(whole_number(1))
+      ->capture_default_str();
   command->add_flag("--plain", arguments->plain, "pictures show hit and unknown cells alike, as in the paper");
   command->footer(
       "Verdicts: hit (proved: a zero in the cell) and unknown; all other cells are proved empty.\n"

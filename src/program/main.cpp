@@ -3,6 +3,7 @@
 
 #include "Progress.h"
 #include "commands.h"
+#include "files.h"
 
 #include <algorithm>
 #include <csignal>
@@ -80,10 +81,13 @@ int run(int argc, char** argv)
     return complain("command: given '" + command + "'; expected one of " + names, bad_usage);
   }
   try {
-    app.parse(operands_marked(argc, argv));
+    try {
+      app.parse(operands_marked(argc, argv));
+    } catch (const CLI::Success& success) { // --help and --version
+      app.exit(success);
+    }
+    flush_standard_output();
     return interrupted_by() != 0 ? 128 + interrupted_by() : done; // a command may keep what it has proved
-  } catch (const CLI::Success& success) {                         // --help and --version
-    return app.exit(success);
   } catch (const CLI::RuntimeError& found) { // the command has said what
     return found.get_exit_code();
   } catch (const CLI::ParseError& error) {

@@ -110,13 +110,65 @@ TEST(Bad_input, bound)
   refuse("--bounder", "best", "expected one of ");
   refuse("--bounder", "best", "maa, natural");
   refuse("--number", "float", "double_nearest, double_outward, cgal_interval, mpfr, rational, counted");
-  refuse("--order", "0", "from 1");
-  refuse("--order", "-1", "order");
+  for (const char* const order : {"0", "-1", "2.5", "99999999999999999999", "two", ""})
+    refuse("--order", order, "--order: given '" + std::string(order) + "'; expected a whole number from 1");
   refuse("--precision", "10", "53");
   expect_refusal({"bound", "x + y", "--box", "0:1"}, 2, "x, y");
   expect_refusal({"bound", "x + y", "--box", "1:0,0:1"}, 2, "LOWER <= UPPER");
   expect_refusal({"bound", "x +", "--box", "0:1"}, 2, "expected");
   expect_refusal({"bound", "x"}, 2, "--box");
+}
+
+TEST(Bad_input, methods_of_localize)
+{
+  const auto refuse = [](const std::string& option, const std::string& value, const std::string& hint) {
+    expect_refusal({"localize", "x + y", "--box", "0:1,0:1", "--resolution", "8", option, value}, 2, hint);
+  };
+  refuse("--bounder", "best", "expected one of rt, maa, ");
+  refuse("--number", "float", "expected one of double_nearest, ");
+  refuse("--order", "0", "expected a whole number from 1");
+  refuse("--order", "-1", "given '-1'; expected a whole number from 1");
+  refuse("--precision", "52", "expected 53");
+  refuse("--threads", "1000000", "expected a whole number from 0 to 1024");
+  refuse("--max-cells", "-1", "expected a whole number");
+  expect_refusal({"localize", "x", "--box", "0:1", "--resolution", "8", "--bounder", "maa", "--order", "0"}, 2,
+                 "order");
+}
+
+TEST(Bad_input, reproduce)
+{
+  expect_refusal({"reproduce"}, 2, "WHAT");
+  expect_refusal({"reproduce", "table5"}, 2, "table5 not in");
+  expect_refusal({"reproduce", "table4", "--format", "xml"}, 2, "xml not in");
+  for (const char* const what : {"table4", "figures", "all"}) {
+    expect_refusal({"reproduce", what, "--number", "float", "--output", "new"}, 2, "expected one of double_nearest, ");
+    expect_refusal({"reproduce", what, "--output", "/proc/new"}, 1, "cannot make folder '/proc/new'");
+  }
+}
+
+TEST(Bad_input, certify)
+{
+  const auto refuse = [](const std::string& polynomial, const std::string& box, const std::string& resolution,
+                         const std::string& hint) {
+    expect_refusal({"certify", polynomial, "--box", box, "--resolution", resolution, "--output", "a.json"}, 2, hint);
+  };
+  refuse("(x", "0:1", "8", "this ( has no )");
+  refuse("x^1000000", "0:1", "8", "degree 1000000");
+  refuse("x + \xc3\xa9", "0:1", "8", "ASCII");
+  refuse("0", "0:1,0:1", "8", "the polynomial is zero");
+  refuse("x", "0:0", "8", "expected lower < upper");
+  refuse("x", "1:0", "8", "LOWER <= UPPER");
+  refuse("x", "0:inf", "8", "finite");
+  refuse("x + y", "0:1", "8", "x, y");
+  refuse("x", "0:1", "-5", "'-5'");
+  refuse("x", "0:1", "1099511627776", "1 to 1073741824");
+  expect_refusal({"certify", "x", "--box", "0:1", "--resolution", "8", "--max-boxes", "0", "--output", "a.json"}, 2,
+                 "--max-boxes: given '0'");
+  Program_limits full;
+  full.file_size = 100;
+  for (const char* const name : {"a.json", "a.json.gz"})
+    expect_refusal({"certify", "x^2 + y^2 - 1", "--box", "-2:2,-2:2", "--resolution", "16", "--output", name}, 1,
+                   "File too large", full);
 }
 
 TEST(Bad_input, exact_and_repeat)
@@ -163,6 +215,12 @@ TEST(Bad_input, full_standard_output)
     EXPECT_EQ(run.exit_code, 1);
     EXPECT_EQ(run.err, "corral: output: cannot write standard output: No space left on device\n");
   }
+  for (const Words& command : {Words{"list"}, Words{"bound", "x", "--box", "0:1"}, Words{"--help"}, Words{"--version"},
+                               Words{"reproduce", "table4"}}) {
+    const Program_run run = run_program(command, limits);
+    EXPECT_EQ(run.exit_code, 1) << command[0];
+    EXPECT_EQ(run.err, "corral: output: cannot write standard output: No space left on device\n") << command[0];
+  }
 }
 
 TEST(Good_input, that_looks_bad)
@@ -170,6 +228,7 @@ TEST(Good_input, that_looks_bad)
   const Temporary_folder folder;
   const auto write = [&](const char* name, const std::string& text) { std::ofstream(folder.path() / name) << text; };
   write("nested.txt", std::string(100000, '(') + "x" + std::string(100000, ')') + " - y\n");
+  write("minus.txt", std::string(100000, '-') + "x - y");
   write("digits.txt", std::string(100000, '7') + "*x - " + std::string(100000, '7') + "*y");
   Program_limits limits;
   limits.folder = folder.path();
@@ -181,7 +240,7 @@ TEST(Good_input, that_looks_bad)
     return csv;
   };
   std::string diagonal;
-  for (const char* const polynomial : {"x - y", "@nested.txt", "@digits.txt", "-y + x", "-(y - x)"}) {
+  for (const char* const polynomial : {"x - y", "@nested.txt", "@minus.txt", "@digits.txt", "-y + x", "-(y - x)"}) {
     const Program_run run =
         run_program({"localize", polynomial, "--box", "0:1,0:1", "--resolution", "8", "--format", "csv"}, limits);
     EXPECT_EQ(run.exit_code, 0) << run.err;

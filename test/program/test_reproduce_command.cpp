@@ -34,7 +34,7 @@ TEST(Reproduce_command, says_what_it_cannot_do)
 {
   const Program_run folder = run_program({"reproduce", "figures", "--output", "/proc/gallery"});
   EXPECT_EQ(folder.exit_code, 1);
-  EXPECT_EQ(folder.err.rfind("corral: gallery: cannot make folder '/proc/gallery'", 0), 0U) << folder.err;
+  EXPECT_EQ(folder.err.rfind("corral: reproduce: cannot make folder '/proc/gallery'", 0), 0U) << folder.err;
   const Program_run what = run_program({"reproduce", "table5"});
   EXPECT_EQ(what.exit_code, 2);
   EXPECT_NE(what.err.find("table5 not in"), std::string::npos) << what.err;
