@@ -346,13 +346,6 @@ Audit_case<D> tightness_case(std::uint64_t seed, std::uint64_t number)
 }
 
 template <std::size_t D>
-Probed_box<D> probe(const Polynomial<Rational, D>& f, const Rational_box<D>& box, std::uint64_t seed)
-{
-  auto source = source_of(4, seed, 0);
-  return probed(source, f, box);
-}
-
-template <std::size_t D>
 std::string to_string(const Rational_box<D>& box)
 {
   std::string text;
@@ -374,7 +367,6 @@ std::string to_string(const Polynomial<Rational, D>& f)
   template Audit_case<D> generated_case<D>(std::uint64_t, std::uint64_t);                                              \
   template Audit_case<D> subject_case(const Audit_subject<D>&, std::uint64_t, std::uint64_t);                          \
   template Audit_case<D> tightness_case<D>(std::uint64_t, std::uint64_t);                                              \
-  template Probed_box<D> probe(const Polynomial<Rational, D>&, const Rational_box<D>&, std::uint64_t);                 \
   template std::string to_string(const Rational_box<D>&);                                                              \
   template std::string to_string(const Polynomial<Rational, D>&);
 CORRAL_INSTANTIATE(1)

@@ -92,15 +92,14 @@ TEST(Audit, names_what_it_audits)
 
 /// A bounder that gives the same bound always.
 template <IntervalNumber N>
-std::uint64_t escapes_of_constant(const N& bound)
+std::uint64_t escapes_of_constant(const N& constant_bound)
 {
   struct Constant
   {
     N value;
-    N operator()(const Box<N, 1>&) const { return value; }
-    N bound(const Box<N, 1>& box) const { return (*this)(box); }
+    N bound(const Box<N, 1>&) const { return value; }
   };
-  return audit_bounder<N, 1>([&](const Polynomial<N, 1>&) { return Constant{bound}; }, {.cases = 20}).escapes;
+  return audit_bounder<N, 1>([&](const Polynomial<N, 1>&) { return Constant{constant_bound}; }, {.cases = 20}).escapes;
 }
 
 TEST(Audit, unbounded_is_no_escape_but_no_number_is)

@@ -8,6 +8,7 @@
 #include <corral/verification/audit_cases.h>
 #include <corral/verification/exact_range.h>
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -15,7 +16,7 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
+#include <type_traits>
 #include <vector>
 
 /// \file

@@ -60,10 +60,6 @@ template <std::size_t D>
 template <std::size_t D>
 [[nodiscard]] Audit_case<D> tightness_case(std::uint64_t seed, std::uint64_t number);
 
-/// The least and greatest of the exact values of `f` at corners and at other points of `box`, chosen by `seed`.
-template <std::size_t D>
-[[nodiscard]] Probed_box<D> probe(const Polynomial<Rational, D>& f, const Rational_box<D>& box, std::uint64_t seed);
-
 /// `[a, b] x [c, d]`, exactly.
 template <std::size_t D>
 [[nodiscard]] std::string to_string(const Rational_box<D>& box);
