@@ -26,6 +26,7 @@ struct Localize_arguments
   Localize_settings settings;
   bool plus = false;
   bool names_engine = false;
+  std::vector<std::string> paper_options; // given options that only the paper's engine heeds
   bool exact = false;
   unsigned repeat = 1;
   std::vector<std::string> outputs;
@@ -50,8 +51,8 @@ void print(const std::string& format, const Grid<D>& grid, const Cell_set<D>& ce
 using Facts = std::vector<std::pair<std::string, Output_options::Fact>>;
 
 // What the summary says of a run.
-Facts facts(const std::vector<std::string>& polynomials, const Localize_settings& settings, const Localization_counters& work,
-            bool is_guaranteed)
+Facts facts(const std::vector<std::string>& polynomials, const Localize_settings& settings,
+            const Localization_counters& work, bool is_guaranteed)
 {
   std::vector<std::pair<std::string, Output_options::Fact>> list{{"polynomials", polynomials},
                                                                  {"engine", settings.engine}};
@@ -64,7 +65,7 @@ Facts facts(const std::vector<std::string>& polynomials, const Localize_settings
   }
   list.insert(list.end(), {{"guaranteed", is_guaranteed}, {"bounds", work.bounds}});
   if (settings.engine == "paper") list.emplace_back("subdivisions", work.subdivisions);
-  if (settings.count)
+  if (settings.count && settings.engine == "paper")
     list.insert(list.end(), {{"additions", work.additions}, {"multiplications", work.multiplications}});
   return list;
 }
@@ -113,7 +114,10 @@ Outcome<D> compute(const std::vector<Polynomial<Rational, D>>& system, const Gri
   Localize_settings settings = arguments.settings;
   settings.refine = settings.refine || arguments.plus;
   settings.sample = settings.sample || arguments.plus;
-  if (!arguments.names_engine && (D < 2 || D > 3)) settings.engine = "paper"; // the fast one is of 2 and 3 dimensions
+  if (!arguments.names_engine && (D < 2 || D > 3)) { // the fast engine is of 2 and 3 dimensions
+    settings.engine = "paper";
+    settings.sample = settings.sample || arguments.paper_options.empty(); // the fast one proves hits, too
+  }
   settings.progress = [&](double done) { return progress(done); };
   Outcome<D> outcome;
   std::vector<double> seconds;
@@ -172,11 +176,14 @@ void localize_command(const Localize_arguments& arguments)
   with_dimension(space, [&](auto dimension) { localize_in<dimension>(arguments, space, texts); });
 }
 
-// Whether an option is given that only the paper's engine heeds.
-bool names_paper_option(const CLI::App& command)
+// The given options that only the paper's engine heeds.
+std::vector<std::string> paper_options(const CLI::App& command)
 {
-  const auto options = {"--bounder", "--order", "--number", "--precision", "--sample", "--refine", "--plus", "--count"};
-  return std::any_of(options.begin(), options.end(), [&](const char* option) { return command.count(option) > 0; });
+  std::vector<std::string> given;
+  for (const char* option :
+       {"--bounder", "--order", "--number", "--precision", "--sample", "--refine", "--plus", "--count"})
+    if (command.count(option) > 0) given.emplace_back(option);
+  return given;
 }
 
 } // namespace
@@ -229,7 +236,8 @@ void add_localize(CLI::App& app)
       ->take_all()
       ->expected(1);
   command->add_option("--format", arguments->format, "what to print: csv, json, text, or summary (a line of JSON)")
-      ->check(CLI::IsMember({"csv", "json", "text", "summary"}));
+      ->check(CLI::IsMember({"csv", "json", "text", "summary"}))
+      ->default_str("summary");
   command->add_option("--size", arguments->size, "longer side of pictures in pixels")
       ->check(whole_number(1))
       ->capture_default_str();
@@ -244,7 +252,10 @@ void add_localize(CLI::App& app)
       "  corral localize 'y - x^3' --box -1:1,-1:1 --resolution 40,20 --format text");
   command->callback([arguments, command] {
     arguments->names_engine = command->count("--engine") > 0;
-    if (!arguments->names_engine && names_paper_option(*command)) arguments->settings.engine = "paper";
+    arguments->paper_options = paper_options(*command);
+    if (!arguments->names_engine && !arguments->paper_options.empty()) arguments->settings.engine = "paper";
+    if (arguments->settings.engine == "fast" && !arguments->paper_options.empty())
+      std::cerr << "corral: note: engine fast takes no notice of " << arguments->paper_options.front() << '\n';
     localize_command(*arguments);
   });
 }

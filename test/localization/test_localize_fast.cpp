@@ -326,6 +326,11 @@ TEST(Localize_fast, refuses_what_it_cannot_do)
   Fast_options few;
   few.cell_budget = 1000;
   EXPECT_THROW((void)localize_fast(test::paper_curve(0), grid, few), Budget_exceeded);
+  const auto line = parse_polynomial<2>("y - 1/2", {"x", "y"}); // two rows, of 25 blocks
+  few.cell_budget = 399;
+  EXPECT_THROW((void)localize_fast(line, test::paper_grid_2(200), few), Budget_exceeded);
+  few.cell_budget = 400;
+  EXPECT_EQ(localize_fast(line, test::paper_grid_2(200), few).cells.plotted(), 400U);
   Fast_options stopped;
   stopped.progress = [](double) { return false; };
   EXPECT_THROW((void)localize_fast(test::paper_curve(0), grid, stopped), Cancelled);

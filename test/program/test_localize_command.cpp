@@ -67,6 +67,24 @@ TEST(Localize_command, lets_a_polynomial_use_fewer_variables)
   EXPECT_EQ(json::parse(run.out)["plotted"].get<int>() % 8, 0);
 }
 
+TEST(Localize_command, proves_hits_in_every_dimension)
+{
+  const Program_run run = run_program({"localize", "x^3 - 2", "--box", "-2:2", "--resolution", "7", "--format", "csv"});
+  EXPECT_EQ(run.out, "i,verdict\n5,hit\n");
+  const Program_run space = run_program(
+      {"localize", "w + x + y + z - 1/3", "--box", "0:1,0:1,0:1,0:1", "--resolution", "2", "--format", "summary"});
+  EXPECT_EQ(json::parse(space.out)["hit"], 1);
+}
+
+TEST(Localize_command, says_what_the_fast_engine_does_not_heed)
+{
+  const Program_run run =
+      run_program(circle({"--engine", "fast", "--bounder", "maa", "--count", "--format", "summary"}));
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.err, "corral: note: engine fast takes no notice of --bounder\n");
+  EXPECT_FALSE(json::parse(run.out).contains("additions"));
+}
+
 TEST(Localize_command, writes_every_kind_of_file)
 {
   const Temporary_folder folder;

@@ -135,7 +135,7 @@ template <std::size_t D>
 
 /// \brief Subdivides the seeds of some tasks, all of level `level`, down to `stop_level`, or down to the leaves if that
 /// is 0. \pre level == plan.root_level for the root seed alone; else level > plan.leaf_level. \throw Budget_exceeded if
-/// more blocks than `plan.cell_budget` have plotted cells.
+/// there are more plotted cells than `plan.cell_budget`.
 template <std::size_t D>
 void subdivide_tasks(const Plan<D>& plan, unsigned level, const Seed<D>* seeds, const Task* tasks, std::size_t count,
                      unsigned stop_level, Harvest<D>& harvest);

@@ -12,6 +12,8 @@
 
 #include <hwy/aligned_allocator.h>
 
+#include <bit>
+
 HWY_BEFORE_NAMESPACE();
 namespace corral::fast::HWY_NAMESPACE {
 
@@ -46,7 +48,7 @@ public:
     }
   }
 
-  /// \throw Budget_exceeded if more blocks than `plan.cell_budget` have plotted cells.
+  /// \throw Budget_exceeded if there are more plotted cells than `plan.cell_budget`.
   void decide(const Leaf_batch<D>& leaves);
 
 private:
@@ -60,12 +62,13 @@ private:
   double* probe_workspace_;
   std::array<Cell_block<D>, batch * Plan<D>::leaf_blocks + 1> found_; // the blocks of one batch, and a place to spare
   bool whole_leaves_;                                                 // the grid is made of whole leaves
+  std::uint64_t plotted_ = 0;                                         // cells harvested
 };
 
 template <std::size_t D>
 void Leaf_decision<D>::decide(const Leaf_batch<D>& leaves)
 {
-  if (harvest_.size() > plan_.cell_budget) throw_over_budget(plan_.cell_budget);
+  if (plotted_ > plan_.cell_budget) throw_over_budget(plan_.cell_budget);
   const Thresholds thresholds =
       leaf_thresholds(plan_, leaves.cut.size, leaves.coefficients, load(leaves.norm), load(leaves.remainder));
   std::array<Leaf_masks<D>, batch> masks;
@@ -98,6 +101,7 @@ void Leaf_decision<D>::harvest(const Leaf_batch<D>& leaves, const Leaf_masks<D>*
       block.index[D - 1] += static_cast<std::uint32_t>(b);
       block.plotted = ~masks[lane].empty[b];
       block.hit = masks[lane].hit[b] & block.plotted;
+      plotted_ += static_cast<unsigned>(std::popcount(block.plotted));
       count += block.plotted != 0 ? 1 : 0; // no branch, since nobody can predict it
     }
   }

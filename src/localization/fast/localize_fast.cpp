@@ -12,8 +12,10 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <string>
@@ -185,6 +187,7 @@ private:
     for (auto& n : resolution) n *= block_side<D>;
     fast::Plan<D> plan(f_, Grid<D>(grid_.box(), resolution));
     plan.looks_again = plan_.looks_again = false;
+    plan_.cell_budget = std::numeric_limits<std::uint64_t>::max(); // what both see is counted once they are merged
     auto seeds = std::exchange(rough_, {});
     std::sort(seeds.begin(), seeds.end(),
               [](const auto& a, const auto& b) { return std::tie(a.cut, a.rows) < std::tie(b.cut, b.rows); });
@@ -209,13 +212,16 @@ private:
 
   void collect(fast::Harvest<D>&& harvest, std::size_t tasks)
   {
+    std::uint64_t plotted = 0;
+    for (const auto& block : harvest.blocks) plotted += static_cast<unsigned>(std::popcount(block.plotted));
     const std::scoped_lock lock(mutex_);
     result_.counters.bounds += harvest.nodes;
+    plotted_ += plotted;
+    if (plotted_ > options_.cell_budget) fast::throw_over_budget(options_.cell_budget);
     block_count_ += harvest.blocks.size();
     parts_.push_back(std::move(harvest.blocks));
     hidden_.insert(hidden_.end(), harvest.hidden.begin(), harvest.hidden.end());
     std::move(harvest.rough.begin(), harvest.rough.end(), std::back_inserter(rough_));
-    if (block_count_ > options_.cell_budget) fast::throw_over_budget(options_.cell_budget);
     done_ += tasks;
     const double part = tasks_ == 0 ? 1 : static_cast<double>(done_) / static_cast<double>(tasks_);
     if (options_.progress && !options_.progress(part)) throw Cancelled("localize_fast: cancelled by the caller");
@@ -231,6 +237,7 @@ private:
   Localization<D> result_;
   std::vector<std::vector<Cell_block<D>>> parts_;
   std::size_t block_count_ = 0;
+  std::uint64_t plotted_ = 0;
   std::vector<fast::Hidden_node<D>> hidden_;
   std::vector<fast::Seed<D>> rough_;
   std::size_t tasks_ = 0;
@@ -266,8 +273,6 @@ Localization<D> localize_fast(const Polynomial<Rational, D>& f, const Grid<D>& g
   if (f.is_zero()) throw Invalid_input("localize_fast: the polynomial is zero; expected one that is not");
   const auto start = std::chrono::steady_clock::now();
   auto result = localize_part(f, grid, options);
-  if (options.cell_budget < std::numeric_limits<std::uint64_t>::max() && result.cells.plotted() > options.cell_budget)
-    fast::throw_over_budget(options.cell_budget);
   result.is_guaranteed = true;
   result.counters.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
