@@ -26,7 +26,7 @@ struct Audit_settings
   std::uint64_t seed = 1;
   std::uint64_t cases = 300;           ///< generated, for each method and dimension
   std::uint64_t paper_cases = 100;     ///< on the paper's examples, as well
-  std::uint64_t tightness_cases = 300; ///< as well
+  std::uint64_t tightness_cases = 600; ///< as well
 };
 
 /// A value that a bound does not contain, as text.

@@ -67,7 +67,7 @@ class Plot
 {
 public:
   Plot(Plot_axis axis, double low_x, double high_x, double high_decade)
-      : axis_(axis), low_x_(low_x), span_x_(std::max(high_x - low_x, 1.0)), high_decade_(high_decade)
+      : low_x_(low_x), span_x_(std::max(high_x - low_x, 1.0)), high_decade_(high_decade)
   {
     svg_ = "<svg viewBox=\"0 0 " + number(width) + ' ' + number(height) + "\" width=\"" + number(width) + "\" height=\""
            + number(height) + "\" fill=\"none\" role=\"img\">\n";
@@ -118,7 +118,6 @@ private:
             + number(at_y) + "\">" + what + "</text>\n";
   }
 
-  Plot_axis axis_;
   double low_x_;
   double span_x_;
   double high_decade_;
