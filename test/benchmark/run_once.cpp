@@ -1,39 +1,81 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// run_once SET RESOLUTION [THREADS]: localises a set of problems once, for tools that watch a process from outside.
-// With resolution 0 it prints the problems instead: name, dimension, lower end of the box, then `coefficient i j k`.
+// run_once SET RESOLUTION [THREADS]: localises a set of problems once, for tools that watch a process from outside, and
+// prints a line of JSON. With resolution 0 it prints the problems instead: name, dimension, lower end of the box, then
+// `coefficient i j k`.
 #include "cases.h"
 
 #include <corral/localization/localize_fast.h>
 
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
+#include <sys/resource.h>
 
 namespace {
 
 using namespace corral;
 
 template <std::size_t D>
+int print(const std::vector<benchmark::Problem<D>>& problems)
+{
+  for (const auto& problem : problems) {
+    std::printf("# %s; %d; %d\n", problem.name.c_str(), static_cast<int>(D), problem.lower);
+    for (const auto& term : problem.f.terms()) {
+      std::printf("%.17g", term.coefficient.get_d());
+      for (const auto e : term.exponents) std::printf(" %d", static_cast<int>(e));
+      std::printf("\n");
+    }
+  }
+  return 0;
+}
+
+template <std::size_t D>
 int run(const std::vector<benchmark::Problem<D>>& problems, std::uint32_t n, unsigned threads)
 {
+  if (n == 0) return print(problems);
+  std::uint64_t cells = 0;
+  std::uint64_t hits = 0;
+  unsigned calls = 0;
+  double longest = 0;
+  auto last = std::chrono::steady_clock::now();
+  const auto lap = [&] {
+    const auto now = std::chrono::steady_clock::now();
+    longest = std::max(longest, std::chrono::duration<double>(now - last).count());
+    last = now;
+  };
   Fast_options options;
   options.threads = threads;
-  std::uint64_t cells = 0;
-  if (n == 0) {
-    for (const auto& problem : problems) {
-      std::printf("# %s; %d; %d\n", problem.name.c_str(), static_cast<int>(D), problem.lower);
-      for (const auto& term : problem.f.terms()) {
-        std::printf("%.17g", term.coefficient.get_d());
-        for (const auto e : term.exponents) std::printf(" %d", static_cast<int>(e));
-        std::printf("\n");
-      }
-    }
-    return 0;
+  if (std::getenv("CORRAL_WATCH") != nullptr)
+    options.progress = [&](double) {
+      ++calls;
+      lap();
+      return true;
+    };
+  const auto start = last;
+  for (const auto& problem : problems) {
+    const auto result = localize_fast(problem.f, benchmark::grid_of(problem, n), options);
+    cells += result.cells.plotted();
+    hits += result.cells.hit();
   }
-  for (const auto& problem : problems)
-    cells += localize_fast(problem.f, benchmark::grid_of(problem, n), options).cells.plotted();
-  std::printf("%llu\n", static_cast<unsigned long long>(cells));
+  lap();
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  std::printf("{\"cells\": %llu, \"hits\": %llu, \"seconds\": %.4f, \"peak_bytes\": %ld, \"progress_calls\": %u, "
+              "\"longest_pause\": %.4f}\n",
+              static_cast<unsigned long long>(cells), static_cast<unsigned long long>(hits),
+              std::chrono::duration<double>(last - start).count(), usage.ru_maxrss * 1024L, calls, longest);
   return 0;
+}
+
+/// The problem whose name ends in a number, or all.
+template <std::size_t D>
+std::vector<benchmark::Problem<D>> selected(std::vector<benchmark::Problem<D>> problems, const char* number)
+{
+  const auto wanted = std::strtoul(number, nullptr, 10);
+  const unsigned long first = D == 2 ? 1 : 11;
+  if (wanted < first || wanted >= first + problems.size()) return problems;
+  return {problems[wanted - first]};
 }
 
 } // namespace
@@ -41,7 +83,7 @@ int run(const std::vector<benchmark::Problem<D>>& problems, std::uint32_t n, uns
 int main(int argc, char** argv)
 {
   if (argc < 3) {
-    std::fputs("usage: run_once curves|surfaces|dense-N RESOLUTION [THREADS]\n", stderr);
+    std::fputs("usage: run_once curves|surfaces|curve-N|surface-N|dense-N RESOLUTION [THREADS]\n", stderr);
     return 2;
   }
   const std::string_view set = argv[1];
@@ -49,8 +91,10 @@ int main(int argc, char** argv)
   const auto threads = static_cast<unsigned>(argc > 3 ? std::strtoul(argv[3], nullptr, 10) : 1);
   if (set == "surfaces") return run<3>(benchmark::surfaces(), n, threads);
   if (set == "curves") return run<2>(benchmark::curves(), n, threads);
+  if (set.substr(0, 8) == "surface-") return run<3>(selected(benchmark::surfaces(), argv[1] + 8), n, threads);
+  if (set.substr(0, 6) == "curve-") return run<2>(selected(benchmark::curves(), argv[1] + 6), n, threads);
   if (set.substr(0, 6) == "dense-")
     return run<2>({benchmark::dense_curve(static_cast<unsigned>(std::strtoul(argv[1] + 6, nullptr, 10)))}, n, threads);
-  std::fputs("run_once: unknown set; expected curves, surfaces or dense-N\n", stderr);
+  std::fputs("run_once: unknown set; expected curves, surfaces, curve-N, surface-N or dense-N\n", stderr);
   return 2;
 }

@@ -39,13 +39,18 @@ std::vector<fast::Task> group(const std::vector<fast::Seed<D>>& seeds)
   return tasks;
 }
 
-/// The level at which the tree is cut into tasks; 0 if it is too small for that.
+/// The level at which the tree is cut into tasks; 0 if it is too small for that. Large trees have more tasks, not
+/// larger ones, as long as there are not too many nodes to keep.
 template <std::size_t D>
 unsigned task_level(const fast::Plan<D>& plan)
 {
-  constexpr unsigned depth = D == 2 ? 5 : 3;
-  constexpr unsigned least = 3; // levels left to a task
-  return plan.root_level >= plan.leaf_level + depth + least ? plan.root_level - depth : 0;
+  constexpr unsigned least_depth = D == 2 ? 5 : 3;
+  constexpr unsigned most_depth = D == 2 ? 12 : 6;
+  constexpr unsigned least_levels = 3; // left to a task
+  constexpr unsigned most_levels = D == 2 ? 7 : 6;
+  const unsigned levels = plan.root_level - plan.leaf_level;
+  if (levels < least_depth + least_levels) return 0;
+  return plan.root_level - std::clamp(levels - std::min(levels, most_levels), least_depth, most_depth);
 }
 
 unsigned thread_count(const Fast_options& options)
