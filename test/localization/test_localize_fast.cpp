@@ -5,6 +5,7 @@
 #include "exact_cells.h"
 #include "localization/fast/Fast_plan.h"
 #include "paper_polynomials.h"
+#include "random_cases.h"
 #include "rounds.h"
 
 #include <gtest/gtest.h>
@@ -13,48 +14,9 @@
 namespace {
 
 using namespace corral;
-
-template <std::size_t D>
-Polynomial<Rational, D> random_polynomial(Trouble_source& random, unsigned degree)
-{
-  std::vector<typename Polynomial<Rational, D>::Term> terms;
-  for (int count = static_cast<int>(random.integer(2, 14)); count > 0; --count) {
-    Exponents<D> exponents{};
-    for (auto left = static_cast<long>(degree); auto& e : exponents) {
-      e = static_cast<std::uint16_t>(random.integer(0, left));
-      left -= e;
-    }
-    terms.push_back({exponents, random.full_mantissa()});
-  }
-  auto f = collect<Rational, D>(std::move(terms));
-  return f.is_zero() ? constant<Rational, D>(1) : f;
-}
-
-template <std::size_t D>
-Grid<D> random_grid(Trouble_source& random, long most_cells)
-{
-  Rational_box<D> box;
-  Resolution<D> resolution;
-  for (std::size_t axis = 0; axis < D; ++axis) {
-    const Rational lower = -abs(random.full_mantissa());
-    const Rational width = abs(random.full_mantissa()) + Rational(1, random.integer(3, 99));
-    box[axis] = Rational_interval(lower, lower + width);
-    resolution[axis] = static_cast<std::uint32_t>(random.integer(1, most_cells));
-  }
-  return {box, resolution};
-}
-
-template <std::size_t D, class Function>
-void for_each_cell(const Resolution<D>& resolution, const Function& function)
-{
-  Cell<D> cell{};
-  for (;;) {
-    function(cell);
-    std::size_t axis = 0;
-    while (axis < D && ++cell[axis] == resolution[axis]) cell[axis++] = 0;
-    if (axis == D) return;
-  }
-}
+using test::for_each_cell;
+using test::random_grid;
+using test::random_polynomial;
 
 /// The first wrong verdict among all cells of small random cases.
 template <std::size_t D>
@@ -152,38 +114,6 @@ TEST(Localize_fast, a_remainder_left_out_is_found)
   EXPECT_NE(find_rounding_fault<3>(4, 300, false), "");
 }
 
-/// Compares the verdicts with the exact signs of f at every corner; returns the number of corners looked at.
-std::uint64_t check_corners(const Polynomial<Rational, 2>& f, const Grid<2>& grid)
-{
-  const auto cells = localize_fast(f, grid).cells;
-  const test::Grid_signs signs(f, grid);
-  std::uint64_t checked = 0;
-  for_each_cell<2>(grid.resolution(), [&](const Cell<2>& cell) {
-    const auto [x, y] = cell;
-    const int corners[] = {signs.at(x, y), signs.at(x + 1, y), signs.at(x, y + 1), signs.at(x + 1, y + 1)};
-    const auto [low, high] = std::minmax_element(std::begin(corners), std::end(corners));
-    const Verdict verdict = cells.at(cell);
-    checked += 4;
-    if (verdict == Verdict::empty) {
-      EXPECT_TRUE(*low == *high && *low != 0) << "lost cell " << x << " " << y << " of " << test::text_of(f);
-    } else if (verdict == Verdict::hit && *low == *high && *low != 0) {
-      EXPECT_EQ(test::contradiction(f, grid, cell, verdict), "");
-    }
-  });
-  return checked;
-}
-
-TEST(Localize_fast, agrees_with_the_exact_signs_of_all_corners)
-{
-  Trouble_source random(5);
-  std::uint64_t checked = 0;
-  for (int round = 0; round < test::rounds(20); ++round)
-    checked += check_corners(random_polynomial<2>(random, static_cast<unsigned>(random.integer(2, 9))),
-                             random_grid<2>(random, 700));
-  for (std::size_t k = 0; k < 10; ++k) checked += check_corners(test::paper_curve(k), test::paper_grid_2(256));
-  RecordProperty("corners", std::to_string(checked));
-}
-
 TEST(Localize_fast, plots_no_more_cells_than_modified_affine_arithmetic)
 {
   for (std::size_t k = 0; k < 10; ++k) {
@@ -273,8 +203,6 @@ TEST(Localize_fast, sees_past_the_rounding_errors_of_a_large_box)
   Fast_options two;
   two.threads = 2;
   EXPECT_EQ(localize_fast(f, grid, two).cells, cells);
-  check_corners(f, Grid<2>({side, side}, {90, 77}));
-  check_corners(f, Grid<2>({side, side}, {7, 13}));
   EXPECT_LE(localize_fast(f, Grid<2>({side, side}, {256, 256})).cells.plotted(), 1012U); // what MAA plots
   const Rational_interval unit(0, 1); // of the curve y = x^60, 31 of 256 cells
   EXPECT_EQ(localize_fast(parse_polynomial<2>("y - x^60", {"x", "y"}), Grid<2>({unit, unit}, {16, 16})).cells.plotted(),
@@ -315,6 +243,17 @@ TEST(Localize_fast, proves_nearly_all_hits_by_floats_alone)
     for (const std::uint32_t n : {256U, 1024U}) {
       const auto cells = localize_fast(test::paper_curve(k), test::paper_grid_2(n)).cells;
       EXPECT_GE(cells.hit() * 100, cells.plotted() * 97) << test::paper_curves[k].text << " at " << n;
+    }
+  // The cells that truly hold a zero, counted by the exact decision.
+  constexpr std::uint64_t hit_at_32[] = {1791, 3944, 3712, 3152, 1840, 2032, 4852, 6976, 1544, 3200};
+  constexpr std::uint64_t hit_at_128[] = {28671, 62576, 58880, 50400, 27720, 32184, 81220, 112048, 24720, 50440};
+  for (std::size_t k = 0; k < 10; ++k)
+    for (const std::uint32_t n : {32U, 128U}) {
+      const std::uint64_t ideal = n == 32 ? hit_at_32[k] : hit_at_128[k];
+      const auto cells = localize_fast(test::paper_surface(k), test::paper_grid_3(n)).cells;
+      EXPECT_LE(cells.hit(), ideal) << test::paper_surfaces[k].text << " at " << n;
+      EXPECT_GE(cells.hit() * 100, ideal * 97) << test::paper_surfaces[k].text << " at " << n;
+      EXPECT_GE(cells.plotted(), ideal) << test::paper_surfaces[k].text << " at " << n;
     }
 }
 
