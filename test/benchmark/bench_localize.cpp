@@ -23,8 +23,10 @@ void time_fast(State& state, const std::vector<Problem<D>>& problems, std::uint3
   options.threads = threads;
   std::vector<Localization<D>> results(problems.size());
   for (auto _ : state)
-    for (std::size_t k = 0; k < problems.size(); ++k)
+    for (std::size_t k = 0; k < problems.size(); ++k) {
+      results[k] = {};
       results[k] = localize_fast(problems[k].f, grid_of(problems[k], n), options);
+    }
   std::uint64_t cells = 0;
   std::uint64_t hits = 0;
   std::uint64_t bytes = 0;

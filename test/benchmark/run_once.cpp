@@ -9,12 +9,22 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
+#include <string>
 #include <string_view>
-#include <sys/resource.h>
 
 namespace {
 
 using namespace corral;
+
+/// The most memory that this process has had; getrusage would count that of the process that started it.
+long peak_bytes()
+{
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.rfind("VmHWM:", 0) == 0) return std::strtol(line.c_str() + 6, nullptr, 10) * 1024;
+  return 0;
+}
 
 template <std::size_t D>
 int print(const std::vector<benchmark::Problem<D>>& problems)
@@ -59,12 +69,10 @@ int run(const std::vector<benchmark::Problem<D>>& problems, std::uint32_t n, uns
     hits += result.cells.hit();
   }
   lap();
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
   std::printf("{\"cells\": %llu, \"hits\": %llu, \"seconds\": %.4f, \"peak_bytes\": %ld, \"progress_calls\": %u, "
               "\"longest_pause\": %.4f}\n",
               static_cast<unsigned long long>(cells), static_cast<unsigned long long>(hits),
-              std::chrono::duration<double>(last - start).count(), usage.ru_maxrss * 1024L, calls, longest);
+              std::chrono::duration<double>(last - start).count(), peak_bytes(), calls, longest);
   return 0;
 }
 

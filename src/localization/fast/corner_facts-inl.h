@@ -96,7 +96,7 @@ HWY_INLINE Cell_facts<2> combined(const Corner_facts<2>& facts, const Corner_fac
 template <class Combine>
 HWY_INLINE Cell_facts<3> combined(const Corner_facts<3>& facts, const Corner_facts<3>& next, const Combine& combine)
 {
-  std::uint64_t rows[facts.layers];
+  std::uint64_t rows[Corner_facts<3>::layers];
   for (std::size_t x = 0; x < facts.layers; ++x) {
     const std::uint64_t five = combine(facts.layer[x], next.layer[x]);
     rows[x] = combine(five, five >> 8);
