@@ -9,6 +9,8 @@
 
 #include "Fast_plan.h"
 #include "leaf_decision-inl.h"
+#include "node_pool-inl.h"
+#include "node_tests-inl.h"
 #include "octet-inl.h"
 #include "taylor_shift-inl.h"
 
@@ -21,28 +23,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace corral::fast::HWY_NAMESPACE {
 
-/// \brief Nodes of one level and class, one lane each; row 0 holds remainders, row 1 norms (upper bounds of the sum of
-/// absolute coefficients), the next D corners, the others coefficients.
-template <std::size_t D>
-struct Pool
-{
-  static constexpr std::size_t header = 2 + D;
-  static constexpr std::size_t stride = batch * ((std::size_t{1} << D) + 2);
-  hwy::AlignedFreeUniquePtr<double[]> rows;
-  std::size_t count = 0;
-
-  [[nodiscard]] double* row(std::size_t r) const { return rows.get() + r * stride; }
-  void prepare(std::size_t coefficients)
-  {
-    if (!rows) rows = hwy::AllocateAligned<double>((header + coefficients) * stride);
-  }
-};
-
-/// How large dropped terms may be, beside the change over one cell; smaller shares cost time, larger ones cells.
-template <std::size_t D>
-inline constexpr double share_of_high_degrees = D == 2 ? 0x1p-13 : 0x1p-8;
-inline constexpr double share_of_squares = 0x1p-13;
-
 /// \brief One worker: subdivides batches of eight nodes, deepest full batch first.
 template <std::size_t D>
 class Worker
@@ -50,13 +30,12 @@ class Worker
 public:
   Worker(const Plan<D>& plan, unsigned stop_level, Harvest<D>& harvest)
       : plan_(plan), stop_level_(stop_level), harvest_(harvest), cuts_(plan.shape.classes().size()),
-        pools_((plan.root_level + 1) * cuts_), level_count_(plan.root_level + 1), leaves_(plan, harvest.blocks)
+        pools_((plan.root_level + 1) * cuts_), level_count_(plan.root_level + 1), tests_(plan),
+        leaves_(plan, harvest.blocks)
   {
     const std::size_t rows = plan.shape.size() * batch;
-    const std::size_t degrees = plan.shape.degree() + std::size_t{1};
-    workspace_ = hwy::AllocateAligned<double>(rows * (D + 1) + degrees * batch);
+    workspace_ = hwy::AllocateAligned<double>(rows * (D + 1));
     for (std::size_t k = 0; k <= D; ++k) stage_[k] = workspace_.get() + k * rows;
-    by_degree_ = workspace_.get() + (D + 1) * rows;
   }
 
   /// Subdivides the seeds of one task. The worker keeps nothing of it but memory.
@@ -74,10 +53,9 @@ private:
   template <std::size_t axis>
   void children(unsigned level, std::size_t k, const double* from);
   void admit(unsigned level, std::size_t k, const double* c);
-  unsigned bound(const Cut& cut, const double* c);
-  unsigned hidden(unsigned level, unsigned kept);
-  unsigned rough(std::size_t k, const double* c, unsigned kept);
-  std::size_t drop(unsigned level, std::size_t k, unsigned kept);
+  [[nodiscard]] unsigned inside() const;
+  void emit_hidden(unsigned level, unsigned lanes);
+  void emit_rough(std::size_t k, const double* c, unsigned lanes);
   void append(unsigned level, std::size_t k, const double* c, unsigned kept);
   void emit_seeds(unsigned level);
 
@@ -87,16 +65,14 @@ private:
   std::size_t cuts_;
   std::vector<Pool<D>> pools_;
   std::vector<std::size_t> level_count_; // nodes of one level
+  Node_tests<D> tests_;
   Leaf_decision<D> leaves_;
   hwy::AlignedFreeUniquePtr<double[]> workspace_;
   double* stage_[D + 1]; // stage_[k]: coefficients shifted along k axes
-  double* by_degree_;    // sums of absolute coefficients of one degree
   unsigned valid_ = 0;   // the lanes that hold a node
   alignas(64) double remainder_[batch];
   alignas(64) double norm_[batch];
   alignas(64) double corner_[D][batch];
-  alignas(64) double child_remainder_[batch];
-  alignas(64) double child_norm_[batch];
 };
 
 template <std::size_t D>
@@ -192,113 +168,58 @@ void Worker<D>::children(unsigned level, std::size_t k, const double* from)
 template <std::size_t D>
 void Worker<D>::admit(unsigned level, std::size_t k, const double* c)
 {
-  unsigned kept = bound(cut(k), c);
+  harvest_.nodes += static_cast<unsigned>(std::popcount(valid_));
+  unsigned kept = inside() & tests_.bound(cut(k), c, remainder_);
   if (plan_.looks_again && kept != 0) {
-    if (level < plan_.root_level) kept &= ~hidden(level, kept);
-    if (level == plan_.rough_level && cut(k).degree > 2) kept &= ~rough(k, c, kept);
+    if (level < plan_.root_level)
+      if (const unsigned hidden = kept & tests_.hidden(level); hidden != 0) {
+        emit_hidden(level, hidden);
+        kept &= ~hidden;
+      }
+    if (level == plan_.rough_level && cut(k).degree > 2)
+      if (const unsigned rough = kept & tests_.rough(cut(k)); rough != 0) {
+        emit_rough(k, c, rough);
+        kept &= ~rough;
+      }
   }
   if (kept == 0) return;
-  k = drop(level, k, kept);
+  k = tests_.drop(level, k, kept);
   if (level == plan_.leaf_level)
-    leaves_.decide({cut(k), c, child_remainder_, child_norm_, corner_, kept});
+    leaves_.decide({cut(k), c, tests_.remainder(), tests_.norm(), corner_, kept});
   else
     append(level, k, c, kept);
 }
 
-/// The modified affine bound of eight forms; returns the lanes inside the grid on which zero is not excluded.
+/// The lanes that hold a node with cells of the grid.
 template <std::size_t D>
-unsigned Worker<D>::bound(const Cut& cut, const double* c)
+unsigned Worker<D>::inside() const
 {
-  const Monomial_shape<D>& shape = plan_.shape;
-  const Rounding& r = plan_.rounding;
-  harvest_.nodes += static_cast<unsigned>(std::popcount(valid_));
-  const Octet centre = load(c);
-  Octet norm = abs(centre);
-  Octet spread = set(0);
-  std::size_t i = 1;
-  for (unsigned d = 1; d <= cut.degree; ++d) {
-    Octet even = set(0);
-    Octet odd = set(0);
-    for (; i < shape.even_end(d); ++i) {
-      const Octet term = load(c + i * batch);
-      even = even + abs(term);
-      spread = spread - min(with_sign_of(term, centre), set(0));
-    }
-    for (; i < shape.degree_end(d); ++i) odd = odd + abs(load(c + i * batch));
-    spread = spread + odd;
-    const Octet sum = even + odd;
-    store(sum, by_degree_ + d * batch);
-    norm = norm + sum;
-  }
-  store(norm * set(r.sum), child_norm_);
-  const Octet remainder = load(remainder_);
-  store(remainder, child_remainder_);
-  unsigned kept = valid_ & at_most(abs(centre), (spread * set(r.sum) + remainder) * set(r.step));
-  for (std::size_t axis = 0; axis < D; ++axis) kept &= below(load(corner_[axis]), set(plan_.resolution[axis]));
-  return kept;
-}
-
-/// Hands over the nodes whose remainder is not small beside what the form can change over one cell; returns their
-/// lanes.
-template <std::size_t D>
-unsigned Worker<D>::hidden(unsigned level, unsigned kept)
-{
-  const Octet change = load(child_norm_) * set(plan_.cell_share[level]);
-  const unsigned lanes = kept & at_most(change, load(child_remainder_) * set(4));
-  for (unsigned rest = lanes; rest != 0; rest &= rest - 1) {
-    Hidden_node<D> node{level, {}};
-    for (std::size_t axis = 0; axis < D; ++axis)
-      node.corner[axis] = static_cast<std::uint32_t>(corner_[axis][std::countr_zero(rest)]);
-    harvest_.hidden.push_back(node);
-  }
+  unsigned lanes = valid_;
+  for (std::size_t axis = 0; axis < D; ++axis) lanes &= below(load(corner_[axis]), set(plan_.resolution[axis]));
   return lanes;
 }
 
-/// Hands over the nodes in which the terms above degree 2 outweigh the others: a leaf block bounds them coarsely, and
-/// smaller blocks can do better. Returns their lanes.
 template <std::size_t D>
-unsigned Worker<D>::rough(std::size_t k, const double* c, unsigned kept)
+void Worker<D>::emit_hidden(unsigned level, unsigned lanes)
 {
-  const auto sum = [&](unsigned d) HWY_ATTR { return load(by_degree_ + d * batch); };
-  Octet high = set(0);
-  for (unsigned d = 3; d <= cut(k).degree; ++d) high = high + sum(d);
-  const unsigned lanes = kept & at_most(sum(1) + sum(2), high);
-  for (unsigned rest = lanes; rest != 0; rest &= rest - 1) {
-    const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-    Seed<D> seed{k, {child_remainder_[lane], child_norm_[lane]}};
+  for (; lanes != 0; lanes &= lanes - 1) {
+    Hidden_node<D> node{level, {}};
+    for (std::size_t axis = 0; axis < D; ++axis)
+      node.corner[axis] = static_cast<std::uint32_t>(corner_[axis][std::countr_zero(lanes)]);
+    harvest_.hidden.push_back(node);
+  }
+}
+
+template <std::size_t D>
+void Worker<D>::emit_rough(std::size_t k, const double* c, unsigned lanes)
+{
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+    Seed<D> seed{k, {tests_.remainder()[lane], tests_.norm()[lane]}};
     for (std::size_t axis = 0; axis < D; ++axis) seed.rows.push_back(corner_[axis][lane]);
     for (std::size_t i = 0; i < cut(k).size; ++i) seed.rows.push_back(c[i * batch + lane]);
     harvest_.rough.push_back(std::move(seed));
   }
-  return lanes;
-}
-
-/// Moves the highest degrees into the remainder if, in all lanes, they are small beside what the least gradient in the
-/// node changes over one cell.
-template <std::size_t D>
-std::size_t Worker<D>::drop(unsigned level, std::size_t k, unsigned kept)
-{
-  const Rounding& r = plan_.rounding;
-  const auto& classes = plan_.shape.classes();
-  if (classes[k].degree <= 1) return k;
-  const auto sum = [&](unsigned d) HWY_ATTR { return load(by_degree_ + d * batch); };
-  Octet gradient = sum(1);
-  for (unsigned d = 2; d <= classes[k].degree; ++d) gradient = gradient - sum(d) * set(d);
-  const Octet remainder = load(child_remainder_);
-  const Octet room = gradient * set(plan_.cell_share[level]);
-  const Octet noise = remainder * set(0.125);
-  Octet lost = set(0);
-  std::size_t target = k;
-  for (; target + 1 < cuts_; ++target) {
-    Octet more = set(0);
-    for (unsigned d = classes[target].degree; d > classes[target + 1].degree; --d) more = more + sum(d);
-    more = more * set(r.sum);
-    const Octet share = set(classes[target + 1].degree > 1 ? share_of_high_degrees<D> : share_of_squares);
-    if ((kept & ~at_most(more, max(room * share, noise))) != 0) break;
-    lost = lost + more;
-  }
-  if (target != k && r.keep_dropped) store((remainder + lost * set(r.sum)) * set(r.step), child_remainder_);
-  return target;
 }
 
 template <std::size_t D>
@@ -314,8 +235,8 @@ void Worker<D>::append(unsigned level, std::size_t k, const double* c, unsigned 
       const auto all = hn::LoadU(Tag(), values + p * part_lanes);
       hn::StoreU(hn::TableLookupLanes(all, order), Tag(), to.row(row) + to.count);
     };
-    add(0, child_remainder_);
-    add(1, child_norm_);
+    add(0, tests_.remainder());
+    add(1, tests_.norm());
     for (std::size_t axis = 0; axis < D; ++axis) add(2 + axis, corner_[axis]);
     for (std::size_t i = 0; i < cut(k).size; ++i) add(header + i, c + i * batch);
     to.count += static_cast<unsigned>(std::popcount(lanes));
