@@ -47,7 +47,8 @@ Certificate<D> start(const std::vector<Polynomial<Rational, D>>& system, const G
                         + " dimensions; expected 1, or 2 in two or three dimensions");
   Certificate<D> result{{}, grid};
   for (const auto& f : system) {
-    if (f.is_zero()) throw Invalid_input("certificate: a polynomial is zero; expected none that vanishes everywhere");
+    if (f.is_zero())
+      throw Invalid_input("certificate: a polynomial is zero, so that every point is a zero; expected one that is not");
     require_limits(f, "the polynomial");
     Certified_polynomial<D> entry{f, square_free_part(f)};
     if (integer_primitive(f) != entry.square_free) entry.power = certificate::highest_multiplicity(f);

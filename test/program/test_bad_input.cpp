@@ -155,7 +155,7 @@ TEST(Bad_input, certify)
   refuse("(x", "0:1", "8", "this ( has no )");
   refuse("x^1000000", "0:1", "8", "degree 1000000");
   refuse("x + \xc3\xa9", "0:1", "8", "ASCII");
-  refuse("0", "0:1,0:1", "8", "the polynomial is zero");
+  refuse("0", "0:1,0:1", "8", "every point is a zero");
   refuse("x", "0:0", "8", "expected lower < upper");
   refuse("x", "1:0", "8", "LOWER <= UPPER");
   refuse("x", "0:inf", "8", "finite");
