@@ -91,7 +91,7 @@ def main():
                 times = [seconds(method, cases, n)[0] for _ in range(3 if first > 1 else 7)]
             if best is None or statistics.median(times) < best[0]:
                 best = (statistics.median(times), cells, method.__name__, min(times))
-        report[n] = {"seconds": best[0], "seconds_min": best[3], "cells": best[1], "method": best[2]}
+        report[n] = {"seconds": best[0], "seconds_min": best[3], "cells": best[1], "evaluation": best[2]}
     json.dump(report, sys.stdout)
 
 
