@@ -84,9 +84,9 @@ void print_lists(std::ostream& out)
 
 void add_list(CLI::App& app)
 {
-  app.add_subcommand("list", "List bounders, number types and kinds of output files")->callback([] {
-    print_whole(print_lists);
-  });
+  CLI::App* const command = app.add_subcommand("list", "List bounders, number types and kinds of output files");
+  command->footer("The names are values of --bounder and --number, the endings those of files for --output.");
+  command->callback([] { print_whole(print_lists); });
 }
 
 } // namespace corral::program
