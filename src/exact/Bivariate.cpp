@@ -3,6 +3,8 @@
 
 #include "Prime_field.h"
 
+#include <flint/nmod_poly.h>
+
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -130,25 +132,40 @@ private:
   std::vector<Modular_polynomial> g_;
 };
 
-/// \brief The polynomial with these values at these points (Newton's divided differences), in the power basis.
-/// \pre `points` increase.
-std::vector<Element> interpolate(const Prime_field& field, const std::vector<std::uint64_t>& points,
-                                 std::vector<Element> y)
+/// The polynomials with given values at some points modulo one prime: FLINT's subproduct tree, made once for all.
+class Interpolation
 {
-  const std::size_t n = points.size();
-  std::vector<Element> inverses(points.back() + 1, 0);
-  for (std::size_t d = 1; d < inverses.size(); ++d) inverses[d] = field.inverse(field.from_residue(d));
-  for (std::size_t k = 1; k < n; ++k)
-    for (std::size_t i = n - 1; i >= k; --i)
-      y[i] = field.multiply(field.subtract(y[i], y[i - 1]), inverses[points[i] - points[i - k]]);
-  std::vector<Element> result(n, 0);
-  for (std::size_t k = n; k-- > 0;) { // result = result * (t - x_k) + y_k
-    const Element x = field.from_residue(points[k]);
-    for (std::size_t i = n - 1; i > 0; --i) result[i] = field.subtract(result[i - 1], field.multiply(result[i], x));
-    result[0] = field.subtract(y[k], field.multiply(result[0], x));
+public:
+  Interpolation(const Prime_field& field, const std::vector<std::uint64_t>& points)
+      : field_(field), length_(static_cast<slong>(points.size())), tree_(_nmod_poly_tree_alloc(length_)),
+        weights_(points.size())
+  {
+    nmod_init(&modulus_, field.prime());
+    _nmod_poly_tree_build(tree_, points.data(), length_, modulus_);
+    _nmod_poly_interpolation_weights(weights_.data(), tree_, length_, modulus_);
   }
-  return result;
-}
+  Interpolation(const Interpolation&) = delete;
+  Interpolation& operator=(const Interpolation&) = delete;
+  ~Interpolation() { _nmod_poly_tree_free(tree_, length_); }
+
+  /// The residues of the coefficients. \pre One value for each point.
+  [[nodiscard]] std::vector<std::uint64_t> operator()(const std::vector<Element>& values) const
+  {
+    std::vector<mp_limb_t> residues;
+    for (const Element value : values) residues.push_back(field_.residue(value));
+    std::vector<mp_limb_t> result(values.size());
+    _nmod_poly_interpolate_nmod_vec_fast_precomp(result.data(), residues.data(), tree_, weights_.data(), length_,
+                                                 modulus_);
+    return {result.begin(), result.end()};
+  }
+
+private:
+  const Prime_field& field_;
+  slong length_;
+  nmod_t modulus_{};
+  mp_ptr* tree_;
+  std::vector<mp_limb_t> weights_;
+};
 
 /// The values of an elimination at many points modulo one prime.
 struct Samples
@@ -198,15 +215,11 @@ Elimination eliminate(const Bivariate& f, const Bivariate& g, const Checkpoint& 
       with_linear = false;
       samples = sample(field, pair, degree_bound + 1, false);
     }
-    const auto add = [&](Chinese_remainder& remainder, std::vector<Element> values) {
-      auto residues = interpolate(field, samples.points, std::move(values));
-      for (auto& r : residues) r = field.residue(r);
-      remainder.add(field.prime(), residues);
-    };
-    add(remainders[0], std::move(samples.resultant));
+    const Interpolation interpolation(field, samples.points);
+    remainders[0].add(field.prime(), interpolation(samples.resultant));
     if (!with_linear) continue;
-    add(remainders[1], std::move(samples.s1));
-    add(remainders[2], std::move(samples.s0));
+    remainders[1].add(field.prime(), interpolation(samples.s1));
+    remainders[2].add(field.prime(), interpolation(samples.s0));
   }
   Elimination result{remainders[0].symmetric(), {}, {}};
   trim(result.resultant);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Extension.h"
 
+#include "Flint_integer_polynomial.h"
+
 #include <algorithm>
 #include <flint/fmpq_poly.h>
 #include <flint/fmpz_poly_factor.h>
@@ -81,22 +83,16 @@ private:
 
 Integer_polynomial irreducible_factor(const Real_root& alpha)
 {
-  const auto& p = alpha.polynomial();
-  fmpz_poly_t flint;
-  fmpz_poly_init(flint);
-  for (std::size_t i = 0; i < p.size(); ++i) fmpz_poly_set_coeff_mpz(flint, static_cast<slong>(i), p[i].get_mpz_t());
+  const Flint_integer_polynomial p(alpha.polynomial());
   fmpz_poly_factor_t factors;
   fmpz_poly_factor_init(factors);
-  fmpz_poly_factor(factors, flint);
-  Integer_polynomial result = p;
+  fmpz_poly_factor(factors, p.get());
+  Integer_polynomial result = alpha.polynomial();
   for (slong k = 0; k < factors->num; ++k) {
-    Integer_polynomial factor(static_cast<std::size_t>(fmpz_poly_length(factors->p + k)));
-    for (std::size_t i = 0; i < factor.size(); ++i)
-      fmpz_poly_get_coeff_mpz(factor[i].get_mpz_t(), factors->p + k, static_cast<slong>(i));
+    auto factor = Flint_integer_polynomial::coefficients(factors->p + k);
     if (sign_at(factor, alpha.lower()) != sign_at(factor, alpha.upper())) result = std::move(factor);
   }
   fmpz_poly_factor_clear(factors);
-  fmpz_poly_clear(flint);
   return result;
 }
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "Flint_integer_polynomial.h"
 #include "Prime_field.h"
 
 #include <corral/verification/Integer_polynomial.h>
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -69,8 +72,50 @@ Rational evaluate(const Integer_polynomial& p, const Rational& x)
   return result;
 }
 
+namespace {
+
+long bits(const Integer& a) { return static_cast<long>(mpz_sizeinbase(a.get_mpz_t(), 2)); }
+
+/// Horner's rule over intervals of integers that stand for multiples of 2^-precision, rounded outward.
+Rational_interval evaluate_rounded(const Integer_polynomial& p, const Rational_interval& x, mp_bitcnt_t precision)
+{
+  const auto down = [&](Integer& a) { mpz_fdiv_q_2exp(a.get_mpz_t(), a.get_mpz_t(), precision); };
+  const auto up = [&](Integer& a) { mpz_cdiv_q_2exp(a.get_mpz_t(), a.get_mpz_t(), precision); };
+  Integer x_low = x.lower().get_num() << precision;
+  Integer x_high = x.upper().get_num() << precision;
+  mpz_fdiv_q(x_low.get_mpz_t(), x_low.get_mpz_t(), x.lower().get_den_mpz_t());
+  mpz_cdiv_q(x_high.get_mpz_t(), x_high.get_mpz_t(), x.upper().get_den_mpz_t());
+  Integer low = 0;
+  Integer high = 0;
+  for (std::size_t i = p.size(); i-- > 0;) {
+    const std::array<Integer, 4> products = {low * x_low, low * x_high, high * x_low, high * x_high};
+    const auto [least, most] = std::minmax_element(products.begin(), products.end());
+    low = *least;
+    high = *most;
+    down(low);
+    up(high);
+    const Integer c = p[i] << precision;
+    low += c;
+    high += c;
+  }
+  const Rational unit(1, Integer(1) << precision);
+  return {low * unit, high * unit};
+}
+
+} // namespace
+
 Rational_interval evaluate(const Integer_polynomial& p, const Rational_interval& x)
 {
+  if (x.lower() == x.upper()) return Rational_interval(evaluate(p, x.lower()));
+  constexpr std::size_t worth_rounding = 24; // below, numbers stay short without it
+  if (p.size() > worth_rounding) {
+    // As fine as the interval is short, and so that errors stay small when powers of x multiply them.
+    const Rational width = x.upper() - x.lower();
+    const long fineness = std::max(0L, bits(width.get_den()) - bits(width.get_num()) + 1);
+    const Rational farthest = std::max<Rational>(abs(x.lower()), abs(x.upper()));
+    const long growth = std::max(0L, bits(farthest.get_num()) - bits(farthest.get_den()) + 1);
+    return evaluate_rounded(p, x, static_cast<mp_bitcnt_t>(64 + 2 * fineness + growth * static_cast<long>(p.size())));
+  }
   Rational_interval value = 0;
   for (std::size_t i = p.size(); i-- > 0;) value = value * x + Rational_interval(Rational(p[i]));
   return value;
@@ -105,11 +150,19 @@ Integer content(const Integer_polynomial& p)
   return divisor;
 }
 
-/// p / q if the division leaves no remainder over the integers.
+/// p / q if the division leaves no remainder over the integers. Long ones are left to FLINT.
 std::optional<Integer_polynomial> quotient(Integer_polynomial p, const Integer_polynomial& q)
 {
   if (p.size() < q.size()) return p.empty() ? std::optional(p) : std::nullopt;
   Integer_polynomial result(p.size() - q.size() + 1);
+  constexpr std::size_t worth_flint = 4096; // multiplications
+  if (result.size() * q.size() > worth_flint) {
+    const exact::Flint_integer_polynomial dividend(p);
+    const exact::Flint_integer_polynomial divisor(q);
+    exact::Flint_integer_polynomial flint;
+    if (fmpz_poly_divides(flint.get(), dividend.get(), divisor.get()) == 0) return std::nullopt;
+    return flint.coefficients();
+  }
   for (std::size_t k = result.size(); k-- > 0;) {
     const Integer& lead = p[k + q.size() - 1];
     if (!mpz_divisible_p(lead.get_mpz_t(), q.back().get_mpz_t())) return std::nullopt;

@@ -56,22 +56,43 @@ nlohmann::ordered_json summary(const Grid<D>& grid, const Cell_set<D>& cells, co
   return result;
 }
 
-// Names and polynomials come from outside and need not be UTF-8.
-std::string dump(const nlohmann::ordered_json& object)
+// The notes of the cells in the order of the writers; null where there are none.
+class Note_reader
 {
-  return object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+public:
+  explicit Note_reader(const Output_options& options) : notes_(options.cell_notes) {}
+  const Cell_notes::Note* next()
+  {
+    return at_ < notes_.of_cell.size() ? &notes_.notes.at(notes_.of_cell[at_++]) : nullptr;
+  }
+
+private:
+  const Cell_notes& notes_;
+  std::size_t at_ = 0;
+};
+
+// Names and polynomials come from outside and need not be UTF-8.
+std::string dump(const nlohmann::ordered_json& value)
+{
+  return value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 } // namespace
 
 template <std::size_t D>
-void write_csv(std::ostream& out, const Grid<D>&, const Cell_set<D>& cells, const Output_options&)
+void write_csv(std::ostream& out, const Grid<D>&, const Cell_set<D>& cells, const Output_options& options)
 {
   static_assert(D <= 8, "one letter an axis");
   for (std::size_t axis = 0; axis < D; ++axis) out << static_cast<char>('i' + axis) << ',';
-  out << "verdict\n";
+  const bool with_rungs = options.cell_notes.in_csv;
+  Note_reader notes(options);
+  out << (with_rungs ? "verdict,rung\n" : "verdict\n");
   Index_text<D> text;
-  cells.for_each_sorted([&](const Cell<D>& cell, Verdict verdict) { out << text(cell) << to_string(verdict) << '\n'; });
+  cells.for_each_sorted([&](const Cell<D>& cell, Verdict verdict) {
+    out << text(cell) << to_string(verdict);
+    if (const auto* note = notes.next(); note != nullptr && with_rungs) out << ',' << note->rung;
+    out << '\n';
+  });
 }
 
 template <std::size_t D>
@@ -82,8 +103,14 @@ void write_json(std::ostream& out, const Grid<D>& grid, const Cell_set<D>& cells
   out << head << ",\"cells\":[";
   Index_text<D> text;
   const char* separator = "\n[";
+  Note_reader notes(options);
   cells.for_each_sorted([&](const Cell<D>& cell, Verdict verdict) {
-    out << separator << text(cell) << '"' << to_string(verdict) << "\"]";
+    out << separator << text(cell) << '"' << to_string(verdict) << '"';
+    if (const auto* note = notes.next()) {
+      out << ',' << dump(note->rung);
+      if (!note->reason.empty()) out << ',' << dump(note->reason);
+    }
+    out << ']';
     separator = ",\n[";
   });
   out << "\n]}\n";

@@ -43,7 +43,7 @@ Ideal_raster<D> truth(const std::vector<Polynomial<Rational, D>>& system, const 
   settings.progress = [&](double done) { return progress(share * done); };
   const auto found = localize_by_name<D>(system, grid, settings);
   auto raster =
-      decide_exactly<D>(system, grid, found.cells, [&](double done) { return progress(share + (1 - share) * done); });
+      decide_exactly<D>(system, grid, found.cells, {[&](double done) { return progress(share + (1 - share) * done); }});
   if (interrupted_by() != 0) throw Cancelled("audit raster");
   return raster;
 }

@@ -8,12 +8,15 @@ namespace corral::program {
 
 template <std::size_t D>
 Ideal_raster<D> decide_exactly(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
-                               const Cell_set<D>& cells, const std::function<bool(double)>& progress)
+                               const Cell_set<D>& cells, const Exact_settings& settings)
 {
   Ideal_raster_options options;
-  options.progress = [&](std::uint64_t done, std::uint64_t total) {
-    return progress(static_cast<double>(done) / static_cast<double>(total));
-  };
+  options.threads = settings.threads;
+  options.keep_rungs = settings.keep_rungs;
+  if (settings.progress)
+    options.progress = [&](std::uint64_t done, std::uint64_t total) {
+      return settings.progress(total == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(total));
+    };
   if constexpr (D <= 3)
     if (system.size() == 1) return ideal_raster<D>(system.front(), grid, cells, options);
   if constexpr (D == 2 || D == 3)
@@ -24,7 +27,7 @@ Ideal_raster<D> decide_exactly(const std::vector<Polynomial<Rational, D>>& syste
 
 #define CORRAL_INSTANTIATE(D)                                                                                          \
   template Ideal_raster<D> decide_exactly<D>(const std::vector<Polynomial<Rational, D>>&, const Grid<D>&,              \
-                                             const Cell_set<D>&, const std::function<bool(double)>&);
+                                             const Cell_set<D>&, const Exact_settings&);
 CORRAL_INSTANTIATE(1)
 CORRAL_INSTANTIATE(2)
 CORRAL_INSTANTIATE(3)

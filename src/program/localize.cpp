@@ -28,6 +28,7 @@ struct Localize_arguments
   bool names_engine = false;
   std::vector<std::string> paper_options; // given options that only the paper's engine heeds
   bool exact = false;
+  bool rungs = false; ///< a column of CSV
   unsigned repeat = 1;
   std::vector<std::string> outputs;
   std::string format;
@@ -104,7 +105,32 @@ struct Outcome
 {
   Cell_set<D> cells;
   Facts facts;
+  std::vector<Decided_cell<D>> decided; ///< exactly, if that is to be written
 };
+
+// Whether some output says of each cell who decided it.
+bool writes_rungs(const Localize_arguments& arguments)
+{
+  const auto is_json = [](const std::string& path) { return path.ends_with(".json"); };
+  return arguments.exact
+         && (arguments.rungs || arguments.format == "json"
+             || std::any_of(arguments.outputs.begin(), arguments.outputs.end(), is_json));
+}
+
+template <std::size_t D>
+Cell_notes notes(const std::vector<Decided_cell<D>>& decided)
+{
+  constexpr std::size_t most = 256; // that a byte tells apart
+  Cell_notes result;
+  for (const auto& cell : decided) {
+    Cell_notes::Note note{std::string(rung_names[static_cast<std::size_t>(cell.rung)]), cell.reason};
+    auto found = std::find(result.notes.begin(), result.notes.end(), note);
+    if (found == result.notes.end() && result.notes.size() < most) found = result.notes.insert(found, std::move(note));
+    if (found == result.notes.end()) --found;
+    result.of_cell.push_back(static_cast<std::uint8_t>(found - result.notes.begin()));
+  }
+  return result;
+}
 
 template <std::size_t D>
 Outcome<D> compute(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
@@ -129,8 +155,10 @@ Outcome<D> compute(const std::vector<Polynomial<Rational, D>>& system, const Gri
       if (!answer.is_guaranteed)
         throw Invalid_input("exact: number type " + settings.method.number
                             + " may have lost cells; expected a guaranteed one");
-      auto raster = decide_exactly<D>(system, grid, answer.cells, settings.progress);
+      auto raster =
+          decide_exactly<D>(system, grid, answer.cells, {settings.progress, settings.threads, writes_rungs(arguments)});
       answer.cells = std::move(raster.cells);
+      outcome.decided = std::move(raster.decided);
       const Facts more = exact_facts(raster.rungs, raster.reasons);
       outcome.facts.insert(outcome.facts.end(), more.begin(), more.end());
     }
@@ -162,6 +190,8 @@ void localize_in(const Localize_arguments& arguments, const Space& space, const 
   Output_options options;
   options.variables = space.variables;
   options.facts = outcome.facts;
+  options.cell_notes = notes(outcome.decided);
+  options.cell_notes.in_csv = arguments.rungs;
   options.size = arguments.size;
   options.colouring = arguments.plain ? Colouring::plotted : Colouring::by_verdict;
   for (const auto& path : arguments.outputs) write_file(path, grid, outcome.cells, options);
@@ -215,7 +245,9 @@ void add_localize(CLI::App& app)
   command->add_option("--engine", settings.engine, "fast: Taylor forms in doubles; paper: the subdivision of the paper")
       ->check(CLI::IsMember({"fast", "paper"}))
       ->default_str("fast; paper where one of its options is given");
-  command->add_option("--threads", settings.threads, "threads of the fast engine; 0: one for each processor")
+  command
+      ->add_option("--threads", settings.threads,
+                   "threads of the fast engine and of --exact; 0: one for each processor")
       ->check(whole_number(0, 1024))
       ->capture_default_str();
   command
@@ -223,8 +255,10 @@ void add_localize(CLI::App& app)
                    "run the computation so many times; the summary says the least and the median time")
       ->check(whole_number(1))
       ->capture_default_str();
-  command->add_flag("--exact", arguments->exact,
-                    "decide every cell exactly: one polynomial in 1 to 3 variables, or two in 2 or 3");
+  auto* const exact = command->add_flag(
+      "--exact", arguments->exact, "decide every cell exactly: one polynomial in 1 to 3 variables, or two in 2 or 3");
+  command->add_flag("--rungs", arguments->rungs, "a last column of CSV with the step that decided each cell")
+      ->needs(exact);
   command->add_flag("--sample", settings.sample, "look for a change of sign at the corners of a cell");
   command->add_flag("--refine", settings.refine, "cut each remaining cell once more before it is plotted");
   command->add_flag("--plus", arguments->plus, "--sample and --refine: the paper's RT++ and MAA++");

@@ -51,7 +51,7 @@ std::string ideal_count(int example, unsigned resolution)
   std::string count;
   with_example(example, resolution, [&](const auto& system, const auto& grid) {
     const auto candidates = localize_by_name(system, grid, {});
-    const auto raster = decide_exactly(system, grid, candidates.cells, [](double) { return true; });
+    const auto raster = decide_exactly(system, grid, candidates.cells, {});
     count = raster.cells.unknown() == 0 ? std::to_string(raster.cells.plotted()) : "?";
   });
   return count;

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
+
 namespace {
 
 using namespace corral::test;
@@ -33,6 +36,34 @@ TEST(Certify_command, writes_a_certificate_that_the_checker_accepts)
       << run.out;
 }
 
+TEST(Certify_command, certifies_two_equations)
+{
+  const Temporary_folder folder;
+  const auto run = certify(folder.path(), {"x^2 + y^2 + z^2 - 4", "(x - 1)^2 + y^2 - 1", "--box", "-2:2,-2:2,-2:2",
+                                           "--resolution", "8", "--output", "viviani.json"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const auto counts = corral_check::check(content(folder.path() / "viviani.json"));
+  EXPECT_EQ(counts.empty + counts.hit, 512U);
+  EXPECT_GT(counts.hit, 0U);
+}
+
+/// Minutes of work at degree 60; what is there after an interrupt is a certificate with unknown cells.
+TEST(Certify_command, keeps_what_is_proved_on_an_interrupt)
+{
+  const Temporary_folder folder;
+  Program_limits limits;
+  limits.folder = folder.path();
+  limits.interrupt_after = std::chrono::milliseconds(1500);
+  const auto run = run_program(
+      {"certify", "(x^30 + y^30 - 1)^2 + (x - y)^60", "--box", "-2:2,-2:2", "--resolution", "64", "--output", "a.json"},
+      limits);
+  EXPECT_EQ(run.exit_code, 130) << run.err;
+  ASSERT_EQ(folder.files(), Words{"a.json"}) << run.err;
+  const auto counts = corral_check::check(content(folder.path() / "a.json"));
+  EXPECT_GT(counts.unknown, 0U);
+  EXPECT_EQ(counts.empty + counts.hit + counts.unknown, 4096U);
+}
+
 TEST(Certify_command, refuses_bad_input_in_one_line_and_writes_nothing)
 {
   const struct
@@ -48,6 +79,7 @@ TEST(Certify_command, refuses_bad_input_in_one_line_and_writes_nothing)
       {{"x", "--box", "0:1", "--resolution", "4"}, "--output"},
       {{"x", "--box", "0:1,0:1,0:1,0:1", "--resolution", "4", "--variables", "x,y,z,t", "--output", "a.json"},
        "1 to 3"},
+      {{"x", "x-1", "--box", "0:1", "--resolution", "4", "--output", "a.json"}, "2 polynomials in 1 dimension"},
       {{"x^300*y^300-1", "--box", "0:1,0:1", "--resolution", "4", "--output", "a.json"}, "65536", 1},
       {{"x", "--box", "0:1", "--resolution", "4", "--output", "no/such/folder/a.json"}, "no/such/folder", 1},
   };

@@ -5,6 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <map>
 
 namespace {
 
@@ -33,6 +36,12 @@ void expect_all_decided(const json& summary)
   EXPECT_FALSE(summary.contains("unknown_because"));
 }
 
+json without_rungs(json cells)
+{
+  for (auto& cell : cells) cell.erase(cell.size() - 1);
+  return cells;
+}
+
 // The elliptic curve 24.a1. Its egg, from (-11, 0) to (6 - 12 sqrt(2), 0), is smaller than a cell and crosses a line of
 // the grid.
 TEST(Exact_option, decides_every_cell_of_an_elliptic_curve)
@@ -45,7 +54,7 @@ TEST(Exact_option, decides_every_cell_of_an_elliptic_curve)
   json egg = json::array();
   for (const auto& cell : ideal["cells"])
     if (cell[0] < 230) egg.push_back(cell);
-  EXPECT_EQ(egg, (json{{216, 511, "hit"}, {216, 512, "hit"}}));
+  EXPECT_EQ(without_rungs(egg), (json{{216, 511, "hit"}, {216, 512, "hit"}}));
   const json fast = localize(curve, "-30:60,-300:300", "1024", "summary");
   EXPECT_LE(ideal["plotted"], fast["plotted"]);
   EXPECT_GE(ideal["plotted"], fast["hit"]);
@@ -66,13 +75,14 @@ TEST(Exact_option, closed_cells_touched_at_a_corner_are_hit)
   for (const auto& cell : cells) {
     EXPECT_TRUE(touches(cell[0], cell[1])) << cell;
     EXPECT_EQ(cell[2], "hit");
+    EXPECT_NE(std::find(std::begin(rungs), std::end(rungs), cell[3]), std::end(rungs)) << cell;
   }
 }
 
 TEST(Exact_option, knows_isolated_points_and_empty_sets)
 {
   const json point = localize({"(x - 1/3)^2 + y^2", "--exact"}, "-1:1,-1:1", "33", "json");
-  EXPECT_EQ(point["cells"], (json{{21, 16, "hit"}, {22, 16, "hit"}}));
+  EXPECT_EQ(without_rungs(point["cells"]), (json{{21, 16, "hit"}, {22, 16, "hit"}}));
   const json none = localize({"x^2 + y^2 + 1e-30", "--exact"}, "-1:1,-1:1", "33", "json");
   EXPECT_EQ(none["cells"], json::array());
 }
@@ -80,13 +90,14 @@ TEST(Exact_option, knows_isolated_points_and_empty_sets)
 TEST(Exact_option, decides_two_equations)
 {
   const json points = localize({"x^2 + y^2 - 1", "x - y", "--exact"}, "-1:1,-1:1", "5", "json");
-  EXPECT_EQ(points["cells"], (json{{0, 0, "hit"}, {4, 4, "hit"}})); // at 0.7071, in cells from 0.6
+  EXPECT_EQ(points["cells"],
+            (json{{0, 0, "hit", "algebra"}, {4, 4, "hit", "algebra"}})); // at 0.7071, in cells from 0.6
 }
 
 TEST(Exact_option, decides_a_line)
 {
   const json roots = localize({"(x^2 - 2)*(x - 1/2)^2", "--exact"}, "-2:2", "8", "json");
-  EXPECT_EQ(roots["cells"], (json{{1, "hit"}, {4, "hit"}, {5, "hit"}, {6, "hit"}}));
+  EXPECT_EQ(without_rungs(roots["cells"]), (json{{1, "hit"}, {4, "hit"}, {5, "hit"}, {6, "hit"}}));
   EXPECT_EQ(roots["engine"], "paper");
 }
 
@@ -95,18 +106,76 @@ TEST(Exact_option, decides_surfaces)
   expect_all_decided(localize({"x^2 + y^2 - z^2", "--exact"}, "-1:1,-1:1,-1:1", "9", "summary"));
 }
 
+// What a run prints for each cell agrees with the numbers in its summary.
+TEST(Exact_option, says_of_each_cell_which_step_decided_it)
+{
+  const Words curve{"(x^2 - 2)^2 + (y^2 - 3)^2", "--exact"};
+  const json points = localize(curve, "-2:2,-2:2", "4", "json");
+  EXPECT_EQ(
+      points["cells"],
+      (json{{0, 0, "hit", "algebra"}, {0, 3, "hit", "algebra"}, {3, 0, "hit", "algebra"}, {3, 3, "hit", "algebra"}}));
+  const json cubic = localize({"y^2 - x^3 + x", "--exact"}, "-2:2,-2:2", "37", "json");
+  std::map<std::string, std::uint64_t> counts;
+  for (const auto& cell : cubic["cells"]) ++counts[cell[3]];
+  for (const std::string rung : rungs) EXPECT_EQ(counts[rung], cubic["hit_by_" + rung]) << rung;
+  Words words = {
+      "localize", "(x^2 - 2)^2 + (y^2 - 3)^2", "--box", "-2:2,-2:2", "--resolution", "4", "--exact", "--format", "csv"};
+  EXPECT_EQ(run_program(words).out, "i,j,verdict\n0,0,hit\n0,3,hit\n3,0,hit\n3,3,hit\n");
+  words.push_back("--rungs");
+  EXPECT_EQ(run_program(words).out,
+            "i,j,verdict,rung\n0,0,hit,algebra\n0,3,hit,algebra\n3,0,hit,algebra\n3,3,hit,algebra\n");
+  EXPECT_NE(run_program({"localize", "x", "--box", "0:1", "--resolution", "4", "--rungs"}).exit_code, 0);
+}
+
+TEST(Exact_option, gives_the_same_for_any_number_of_threads)
+{
+  const auto run = [](const std::string& threads, const std::string& box) {
+    json all = localize({"x^9 - x^7*y + 3*x^2*y^6 - y^3 + y^5 + y^4*x - 4*y^4*x^3", "--exact", "--threads", threads},
+                        box, "128", "json");
+    all.erase("seconds");
+    return all;
+  };
+  const json one = run("1", "-1:1,-1:1");
+  EXPECT_EQ(run("2", "-1:1,-1:1"), one);
+  EXPECT_EQ(run("5", "-1:1,-1:1"), one);
+  EXPECT_NE(run("2", "-1:1,-1:11/10"), one);
+}
+
+// Degree 60 with an isolated irrational point: minutes of work, stopped in a cell or in its resultant.
+const std::string long_work = "(x^30 + y^30 - 1)^2 + (x - y)^60";
+
 TEST(Exact_option, keeps_what_is_proved_on_an_interrupt)
 {
-  const Temporary_folder folder;
-  Program_limits limits;
-  limits.folder = folder.path();
-  limits.interrupt_after = std::chrono::milliseconds(700);
-  const Program_run run = run_program({"localize", "(x - y)^2*(x + y - 1)^2", "--box", "0:1,0:1", "--resolution",
-                                       "200000", "--exact", "--output", "a.json"},
-                                      limits);
-  EXPECT_EQ(run.exit_code, 130) << run.err;
-  // Without a file, the interrupt came before the exact decision.
-  EXPECT_EQ(run.err.empty(), !folder.files().empty()) << run.err;
+  for (const std::string threads : {"1", "2"}) {
+    const Temporary_folder folder;
+    Program_limits limits;
+    limits.folder = folder.path();
+    limits.interrupt_after = std::chrono::milliseconds(1500);
+    const auto start = std::chrono::steady_clock::now();
+    const Program_run run = run_program({"localize", long_work, "--box", "-2:2,-2:2", "--resolution", "64", "--exact",
+                                         "--threads", threads, "--format", "json", "--output", "a.csv"},
+                                        limits);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+    EXPECT_EQ(run.exit_code, 130) << run.err;
+    if (run.out.empty()) { // the interrupt came before the exact decision, on a very busy machine
+      EXPECT_NE(run.err, "");
+      EXPECT_TRUE(folder.files().empty());
+      continue;
+    }
+    const json left = json::parse(run.out);
+    EXPECT_GT(left["unknown"], 0);
+    EXPECT_EQ(left["cells"].size(), left["plotted"]);
+    for (const auto& cell : left["cells"])
+      if (cell[2] == "unknown") {
+        EXPECT_NE(cell[4].get<std::string>().find("stopped"), std::string::npos) << cell;
+      }
+    // Every cell that may be hit is still there: the zeros are +- (2^(-1/30), 2^(-1/30)).
+    std::size_t around_zeros = 0;
+    for (const auto& cell : left["cells"])
+      around_zeros += (cell[0] == 47 && cell[1] == 47) || (cell[0] == 16 && cell[1] == 16) ? 1U : 0U;
+    EXPECT_EQ(around_zeros, 2U);
+    EXPECT_EQ(folder.files(), Words{"a.csv"});
+  }
 }
 
 TEST(Repeat_option, reports_least_and_median_time)

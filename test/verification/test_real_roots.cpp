@@ -145,4 +145,31 @@ TEST(Integer_polynomial, greatest_common_divisors_are_exact)
   }
 }
 
+TEST(Integer_polynomial, encloses_values_of_high_degree_with_rounding)
+{
+  Integer_polynomial p(200);
+  for (std::size_t i = 0; i < p.size(); ++i)
+    p[i] = Integer((static_cast<long>(i * i) % 1009 - 500)) * (Integer(1) << (i % 90)) + 1;
+  for (const Rational& middle : {Rational(1, 3), Rational(-7, 5), Rational(13, 10), Rational(-100, 7)}) {
+    Rational last_width = 0;
+    for (unsigned digits = 10; digits <= 60; digits += 10) {
+      Integer power;
+      mpz_ui_pow_ui(power.get_mpz_t(), 10, digits);
+      const Rational radius = Rational(1) / power;
+      const auto enclosure = evaluate(p, Rational_interval(middle - radius, middle + radius));
+      for (const Rational& x :
+           {Rational(middle - radius), middle, Rational(middle + radius), Rational(middle + radius / 3)})
+        EXPECT_TRUE(contains(enclosure, evaluate(p, x)));
+      const Rational width = enclosure.upper() - enclosure.lower();
+      if (digits > 10) {
+        EXPECT_LT(width * 1000000, last_width); // ten digits more bring at least six
+      }
+      last_width = width;
+    }
+    // Negative control: a value outside of the interval is not in it.
+    EXPECT_FALSE(contains(evaluate(p, Rational_interval(middle, middle + Rational(1) / (Integer(1) << 200))),
+                          evaluate(p, Rational(middle + Rational(1, 1000)))));
+  }
+}
+
 } // namespace

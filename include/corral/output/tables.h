@@ -12,14 +12,15 @@
 /// The writers look at nothing but the stream to tell whether a write failed: check it afterwards.
 namespace corral {
 
-/// \brief One line `i,j[,k],verdict` for each plotted cell after a header, sorted by the index.
+/// \brief One line `i,j[,k],verdict` for each plotted cell after a header, sorted by the index; if cell notes
+/// want it, `i,j[,k],verdict,rung`.
 /// \pre `cells.finish()` has run.
 /// \par Complexity  n log n for n cells; memory for one layer of blocks.
 template <std::size_t D>
 void write_csv(std::ostream& out, const Grid<D>& grid, const Cell_set<D>& cells, const Output_options& options);
 
 /// \brief One JSON object: box, resolution, variables, the facts of `options`, the numbers of cells, and every plotted
-/// cell as [i, j, ..., verdict], sorted.
+/// cell as [i, j, ..., verdict], sorted; with cell notes [i, j, ..., verdict, rung] and a reason after that if unknown.
 /// \pre `cells.finish()` has run.
 template <std::size_t D>
 void write_json(std::ostream& out, const Grid<D>& grid, const Cell_set<D>& cells, const Output_options& options);

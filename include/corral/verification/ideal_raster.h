@@ -15,6 +15,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 /// \file
 /// The exact decision of closed cells: `hit` or `empty`, proved. Method and proof: doc/exact.md.
@@ -25,7 +26,7 @@ namespace corral {
 /// In one and two dimensions the verdict is never `unknown`. In three dimensions it can be for high degrees, where a
 /// closed piece may lie strictly inside a cell; the decision then says why.
 /// What is costly (square-free part, resultants) is computed when first needed and kept, so that one object should
-/// decide many cells. An object must not be used by two threads at once; a copy is cheap to make.
+/// decide many cells. An object must not be used by two threads at once.
 template <std::size_t D>
 class Cell_decider
 {
@@ -58,7 +59,21 @@ struct Ideal_raster_options
 {
   /// Called now and then with the number of cells decided and to decide; `false` stops. What is proved then is kept
   /// and the remaining cells stay unknown.
+  /// Only the calling thread calls it.
   std::function<bool(std::uint64_t done, std::uint64_t total)> progress{};
+  /// Threads that decide cells, 0 for one a processor. The result does not depend on it.
+  unsigned threads = 1;
+  /// Whether to say of each plotted cell who decided it.
+  bool keep_rungs = false;
+};
+
+/// Who decided a plotted cell, or why it is unknown.
+template <std::size_t D>
+struct Decided_cell
+{
+  Cell<D> cell{};
+  Rung rung = Rung::floats;
+  std::string reason{}; ///< empty for a hit
 };
 
 /// Which rung decided how many cells.
@@ -75,6 +90,7 @@ struct Ideal_raster
   Cell_set<D> cells;                            ///< the cells that are hit, and unknown ones if any are left
   Rung_counts rungs;                            ///< of the cells that were given as plotted
   std::map<std::string, std::uint64_t> reasons; ///< why cells are unknown, with their number
+  std::vector<Decided_cell<D>> decided;         ///< every plotted cell, sorted, if `keep_rungs` was given
 };
 
 /// \brief Decides every unknown cell of `candidates` exactly.
