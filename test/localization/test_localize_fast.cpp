@@ -49,7 +49,7 @@ TEST(Localize_fast, agrees_with_exact_subdivision_in_space)
 template <std::size_t D>
 Cell_set<D> run(fast::Plan<D> plan)
 {
-  plan.looks_again = false;
+  plan.tells_hidden = plan.tells_rough = false;
   const auto root = fast::root_seed(plan);
   fast::Harvest<D> harvest;
   const fast::Task whole{0, 1};
@@ -213,6 +213,7 @@ TEST(Localize_fast, sees_past_the_rounding_errors_of_a_large_box)
   two.threads = 2;
   EXPECT_EQ(localize_fast(f, grid, two).cells, cells);
   EXPECT_LE(localize_fast(f, Grid<2>({side, side}, {256, 256})).cells.plotted(), 1012U); // what MAA plots
+  EXPECT_LE(localize_fast(f, Grid<2>({side, side}, {16, 16})).cells.plotted(), 220U);    // the same
   const Rational_interval unit(0, 1); // of the curve y = x^60, 31 of 256 cells
   EXPECT_EQ(localize_fast(parse_polynomial<2>("y - x^60", {"x", "y"}), Grid<2>({unit, unit}, {16, 16})).cells.plotted(),
             31U);

@@ -73,8 +73,9 @@ struct Plan
   std::array<unsigned, D> cells_log2;
   unsigned root_level;
   unsigned leaf_level;
-  unsigned rough_level;    ///< where nodes that a leaf block would judge badly are told apart
-  bool looks_again = true; ///< whether hidden and rough nodes are handed over instead of being decided badly
+  unsigned rough_level;     ///< where nodes that a leaf block would judge badly are told apart
+  bool tells_hidden = true; ///< whether hidden nodes are handed over instead of being decided badly
+  bool tells_rough = true;  ///< the same for rough nodes
   std::uint64_t cell_budget = std::numeric_limits<std::uint64_t>::max(); ///< most plotted cells of one worker
   Rounding rounding;
   Root_form root;

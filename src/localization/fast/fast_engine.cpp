@@ -170,18 +170,16 @@ void Worker<D>::admit(unsigned level, std::size_t k, const double* c)
 {
   harvest_.nodes += static_cast<unsigned>(std::popcount(valid_));
   unsigned kept = inside() & tests_.bound(cut(k), c, remainder_);
-  if (plan_.looks_again && kept != 0) {
-    if (level < plan_.root_level)
-      if (const unsigned hidden = kept & tests_.hidden(level); hidden != 0) {
-        emit_hidden(level, hidden);
-        kept &= ~hidden;
-      }
-    if (level == plan_.rough_level && cut(k).degree > 2)
-      if (const unsigned rough = kept & tests_.rough(cut(k)); rough != 0) {
-        emit_rough(k, c, rough);
-        kept &= ~rough;
-      }
-  }
+  if (plan_.tells_hidden && kept != 0 && level < plan_.root_level)
+    if (const unsigned hidden = kept & tests_.hidden(level); hidden != 0) {
+      emit_hidden(level, hidden);
+      kept &= ~hidden;
+    }
+  if (plan_.tells_rough && kept != 0 && level == plan_.rough_level && cut(k).degree > 2)
+    if (const unsigned rough = kept & tests_.rough(cut(k)); rough != 0) {
+      emit_rough(k, c, rough);
+      kept &= ~rough;
+    }
   if (kept == 0) return;
   k = tests_.drop(level, k, kept);
   if (level == plan_.leaf_level)

@@ -81,20 +81,23 @@ std::vector<Cell_block<D>> merged(const std::vector<Cell_block<D>>& blocks, cons
   return result;
 }
 
+/// \param refines  whether rough nodes are decided on a finer grid, too.
 template <std::size_t D>
-Localization<D> localize_part(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Fast_options& options);
+Localization<D> localize_part(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Fast_options& options,
+                              bool refines);
 
 /// Runs the tasks and reports on them.
 template <std::size_t D>
 class Runner
 {
 public:
-  Runner(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Fast_options& options)
+  Runner(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Fast_options& options, bool refines)
       : f_(f), grid_(grid), options_(options), threads_(thread_count(options)), plan_(f, grid)
   {
     plan_.cell_budget = options.cell_budget;
-    plan_.looks_again = std::all_of(grid.resolution().begin(), grid.resolution().end(),
-                                    [](auto n) { return n <= Grid<D>::max_resolution / block_side<D>; });
+    plan_.tells_rough = refines && std::all_of(grid.resolution().begin(), grid.resolution().end(), [](auto n) {
+                          return n <= Grid<D>::max_resolution / block_side<D>;
+                        });
   }
 
   Localization<D> run()
@@ -126,7 +129,11 @@ private:
     });
     begin(hidden_.size());
     in_ranges(hidden_.size(), [&](std::size_t first, std::size_t last) {
-      for (std::size_t k = first; k < last; ++k) collect(uncover(hidden_[k]), 1);
+      for (std::size_t k = first; k < last; ++k) {
+        fast::Harvest<D> found;
+        uncover(grid_, plan_, hidden_[k], true, found);
+        collect(std::move(found), 1);
+      }
     });
     if (!rough_.empty()) decide_rough();
     result_.cells.append(sorted_blocks());
@@ -162,27 +169,26 @@ private:
     done_ = 0;
   }
 
-  /// Localises on the part of the grid that a hidden node covers.
-  fast::Harvest<D> uncover(const fast::Hidden_node<D>& node) const
+  /// Localises on the part of a grid that a hidden node covers, and adds what it finds to the harvest.
+  void uncover(const Grid<D>& grid, const fast::Plan<D>& plan, const fast::Hidden_node<D>& node, bool refines,
+               fast::Harvest<D>& harvest) const
   {
     Rational_box<D> box;
     Resolution<D> cells;
     for (std::size_t axis = 0; axis < D; ++axis) {
       const std::uint32_t first = node.corner[axis];
-      const std::uint32_t last = std::min(first + plan_.span(node.level, axis), grid_.resolution()[axis]);
-      box[axis] = Rational_interval(grid_.line(axis, first), grid_.line(axis, last));
+      const std::uint32_t last = std::min(first + plan.span(node.level, axis), grid.resolution()[axis]);
+      box[axis] = Rational_interval(grid.line(axis, first), grid.line(axis, last));
       cells[axis] = last - first;
     }
     Fast_options options;
     options.cell_budget = options_.cell_budget;
-    const Localization<D> part = localize_part(f_, Grid<D>(std::move(box), cells), options);
-    fast::Harvest<D> harvest;
-    harvest.nodes = part.counters.bounds;
+    const Localization<D> part = localize_part(f_, Grid<D>(std::move(box), cells), options, refines);
+    harvest.nodes += part.counters.bounds;
     for (auto block : part.cells.blocks()) {
       for (std::size_t axis = 0; axis < D; ++axis) block.index[axis] += node.corner[axis] / block_side<D>;
       harvest.blocks.push_back(block);
     }
-    return harvest;
   }
 
   /// Decides the rough nodes twice: as all others, and on a grid in which a leaf block is as large as a cell here.
@@ -190,8 +196,9 @@ private:
   {
     Resolution<D> resolution = grid_.resolution();
     for (auto& n : resolution) n *= block_side<D>;
-    fast::Plan<D> plan(f_, Grid<D>(grid_.box(), resolution));
-    plan.looks_again = plan_.looks_again = false;
+    const Grid<D> fine_grid(grid_.box(), resolution);
+    fast::Plan<D> plan(f_, fine_grid);
+    plan.tells_rough = plan_.tells_rough = plan_.tells_hidden = false;
     plan_.cell_budget = std::numeric_limits<std::uint64_t>::max(); // what both see is counted once they are merged
     auto seeds = std::exchange(rough_, {});
     std::sort(seeds.begin(), seeds.end(),
@@ -209,6 +216,7 @@ private:
       fast::subdivide_tasks(plan_, level, seeds.data(), tasks.data() + first, last - first, 0, coarse);
       fast::Harvest<D> fine;
       fast::subdivide_tasks(plan, fine_level, fine_seeds.data(), tasks.data() + first, last - first, 0, fine);
+      for (const auto& node : std::exchange(fine.hidden, {})) uncover(fine_grid, plan, node, false, fine);
       fine.nodes += coarse.nodes;
       fine.blocks = merged(coarse.blocks, fine.blocks);
       collect(std::move(fine), last - first);
@@ -250,9 +258,10 @@ private:
 };
 
 template <std::size_t D>
-Localization<D> localize_part(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Fast_options& options)
+Localization<D> localize_part(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Fast_options& options,
+                              bool refines)
 {
-  return Runner<D>(f, grid, options).run();
+  return Runner<D>(f, grid, options, refines).run();
 }
 
 /// The cells that are plotted in both sets; no verdict carries over but `empty`.
@@ -277,7 +286,7 @@ Localization<D> localize_fast(const Polynomial<Rational, D>& f, const Grid<D>& g
 {
   if (f.is_zero()) throw Invalid_input("localize_fast: the polynomial is zero; expected one that is not");
   const auto start = std::chrono::steady_clock::now();
-  auto result = localize_part(f, grid, options);
+  auto result = localize_part(f, grid, options, true);
   result.is_guaranteed = true;
   result.counters.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
