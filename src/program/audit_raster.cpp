@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "Grid_problem.h"
 #include "Progress.h"
 #include "Raster_report.h"
-#include "arguments.h"
 #include "commands.h"
 #include "engine.h"
 #include "exact_engine.h"
@@ -19,10 +19,7 @@ namespace {
 
 struct Raster_arguments
 {
-  std::vector<std::string> polynomials;
-  std::string box;
-  std::string resolution;
-  std::string variables;
+  Grid_arguments problem;
   std::string cells;
   Raster_options reading;
   Raster_report_options reporting;
@@ -67,21 +64,18 @@ void report(const Raster_arguments& arguments, const Raster_audit<D>& audit, Evi
 }
 
 template <std::size_t D>
-void audit_in(const Raster_arguments& arguments, const Space& space, const std::vector<std::string>& texts)
+void audit_in(const Raster_arguments& arguments, const Grid_problem<D>& problem)
 {
-  const auto system = polynomials_of<D>(space, texts);
+  const auto& system = problem.system;
   if (system.size() > (D == 1 ? 1 : 2))
     throw Invalid_input("audit raster: given " + std::to_string(system.size()) + " polynomials in " + std::to_string(D)
                         + " dimensions; expected 1, or 2 in 2 or 3 dimensions");
-  const auto counts = read_resolution(arguments.resolution, D);
-  Resolution<D> resolution;
-  std::copy_n(counts.begin(), D, resolution.begin());
-  Raster_audit<D> audit{Grid<D>(box_of<D>(space), resolution), {}, texts, arguments.cells, 0, {}};
-  std::copy_n(space.variables.begin(), D, audit.variables.begin());
+  Raster_audit<D> audit{problem.grid, {}, problem.texts, arguments.cells, 0, {}};
+  std::copy_n(problem.variables.begin(), D, audit.variables.begin());
   Raster_options reading = arguments.reading;
-  reading.variables = space.variables;
+  reading.variables = problem.variables;
   reading.max_rows = arguments.max_cells;
-  const auto raster = read_raster<D>(arguments.cells, resolution, reading);
+  const auto raster = read_raster<D>(arguments.cells, problem.grid.resolution(), reading);
 
   {
     Progress progress("audit raster");
@@ -99,14 +93,11 @@ void audit_in(const Raster_arguments& arguments, const Space& space, const std::
 void raster_command(const Raster_arguments& arguments)
 {
   require_endings(arguments.outputs, {".json", ".html"});
-  std::vector<std::string> texts;
-  for (const auto& argument : arguments.polynomials) texts.push_back(polynomial_text(argument));
-  const Space space = read_space(arguments.box, arguments.variables, texts);
-  with_dimension(space, [&](auto dimension) {
-    if constexpr (dimension <= 3)
-      audit_in<dimension>(arguments, space, texts);
+  with_problem(arguments.problem, [&]<std::size_t D>(const Grid_problem<D>& problem) {
+    if constexpr (D <= 3)
+      audit_in(arguments, problem);
     else
-      throw Invalid_input("audit raster: given " + std::to_string(dimension) + " axes; expected 1 to 3");
+      throw Invalid_input("audit raster: given " + std::to_string(D) + " axes; expected 1 to 3");
   });
 }
 
@@ -117,15 +108,8 @@ void add_audit_raster(CLI::App& audit)
   const auto arguments = std::make_shared<Raster_arguments>();
   CLI::App* const command =
       audit.add_subcommand("raster", "Judge a raster that another program made: lost cells, false cells");
-  command
-      ->add_option("POLY", arguments->polynomials,
-                   "polynomial; @FILE reads it from a file, @- from standard input. With two, their common zeros")
-      ->required();
-  command->add_option("--box", arguments->box, "LOWER:UPPER for each axis, separated by commas, such as -1:1,0:3/2")
-      ->required();
-  command->add_option("--resolution", arguments->resolution, "number of cells along each axis: N or NX,NY[,NZ]")
-      ->required();
-  command->add_option("--variables", arguments->variables, "names of the axes in order (else alphabetical)");
+  add_grid_options(*command, arguments->problem,
+                   "polynomial; @FILE reads it from a file, @- from standard input. With two, their common zeros");
   command->add_option("--cells", arguments->cells, "the raster: a table (CSV) or, in two dimensions, a PNG picture")
       ->required();
   command->add_flag("--invert", arguments->reading.invert, "the picture is light on dark");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "Grid_problem.h"
 #include "Progress.h"
-#include "arguments.h"
 #include "commands.h"
 #include "whole_number.h"
 
@@ -18,10 +18,7 @@ namespace {
 
 struct Certify_arguments
 {
-  std::vector<std::string> polynomials;
-  std::string box;
-  std::string resolution;
-  std::string variables;
+  Grid_arguments problem;
   std::string output;
   std::size_t max_boxes = Certify_options().max_boxes;
 };
@@ -36,20 +33,16 @@ void print_summary(const Certificate<D>& certificate, const std::string& path, s
 }
 
 template <std::size_t D>
-void certify_in(const Certify_arguments& arguments, const Space& space, const std::vector<std::string>& texts)
+void certify_in(const Certify_arguments& arguments, const Grid_problem<D>& problem)
 {
-  const auto system = polynomials_of<D>(space, texts);
-  const auto counts = read_resolution(arguments.resolution, D);
-  Resolution<D> resolution;
-  std::copy_n(counts.begin(), D, resolution.begin());
   std::array<std::string, D> variables;
-  std::copy_n(space.variables.begin(), D, variables.begin());
+  std::copy_n(problem.variables.begin(), D, variables.begin());
 
   Progress progress("certify");
   Certify_options options;
   options.max_boxes = arguments.max_boxes;
   options.progress = [&](double done) { return progress(done); };
-  const auto certificate = certify(system, Grid<D>(box_of<D>(space), resolution), options);
+  const auto certificate = certify(problem.system, problem.grid, options);
   std::string bytes = to_json(certificate, variables);
   if (arguments.output.ends_with(".gz")) bytes = gzip(bytes);
   write_whole_file(arguments.output, [&](std::ostream& stream) { stream << bytes; });
@@ -60,14 +53,11 @@ void certify_command(const Certify_arguments& arguments)
 {
   if (!arguments.output.ends_with(".json") && !arguments.output.ends_with(".json.gz"))
     throw Invalid_input("certify: output file '" + arguments.output + "'; expected a name ending in .json or .json.gz");
-  std::vector<std::string> texts;
-  for (const auto& argument : arguments.polynomials) texts.push_back(polynomial_text(argument));
-  const Space space = read_space(arguments.box, arguments.variables, texts);
-  with_dimension(space, [&](auto dimension) {
-    if constexpr (dimension <= 3)
-      certify_in<dimension>(arguments, space, texts);
+  with_problem(arguments.problem, [&]<std::size_t D>(const Grid_problem<D>& problem) {
+    if constexpr (D <= 3)
+      certify_in(arguments, problem);
     else
-      throw Invalid_input("certify: given " + std::to_string(dimension) + " axes; expected 1 to 3");
+      throw Invalid_input("certify: given " + std::to_string(D) + " axes; expected 1 to 3");
   });
 }
 
@@ -78,15 +68,8 @@ void add_certify(CLI::App& app)
   const auto arguments = std::make_shared<Certify_arguments>();
   CLI::App* const command =
       app.add_subcommand("certify", "Decide every cell exactly and write the proofs to a file for corral-check");
-  command
-      ->add_option("POLY", arguments->polynomials,
-                   "polynomial; @FILE reads it from a file, @- from standard input. Two: their common zeros.")
-      ->required();
-  command->add_option("--box", arguments->box, "LOWER:UPPER for each axis, separated by commas, such as -1:1,0:3/2")
-      ->required();
-  command->add_option("--resolution", arguments->resolution, "number of cells along each axis: N or NX,NY[,NZ]")
-      ->required();
-  command->add_option("--variables", arguments->variables, "names of the axes in order (else alphabetical)");
+  add_grid_options(*command, arguments->problem,
+                   "polynomial; @FILE reads it from a file, @- from standard input. Two: their common zeros.");
   command->add_option("--output", arguments->output, "certificate to write: .json or .json.gz")->required();
   command->add_option("--max-boxes", arguments->max_boxes, "boxes into which one cell may be cut to prove it empty")
       ->check(whole_number(1, std::numeric_limits<std::uint64_t>::max()))

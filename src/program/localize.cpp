@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "Grid_problem.h"
 #include "Progress.h"
-#include "arguments.h"
 #include "commands.h"
 #include "engine.h"
 #include "exact_engine.h"
@@ -19,10 +19,7 @@ namespace {
 
 struct Localize_arguments
 {
-  std::vector<std::string> polynomials;
-  std::string box;
-  std::string resolution;
-  std::string variables;
+  Grid_arguments problem;
   Localize_settings settings;
   bool plus = false;
   bool names_engine = false;
@@ -172,23 +169,18 @@ Outcome<D> compute(const std::vector<Polynomial<Rational, D>>& system, const Gri
 }
 
 template <std::size_t D>
-void localize_in(const Localize_arguments& arguments, const Space& space, const std::vector<std::string>& texts)
+void localize_in(const Localize_arguments& arguments, const Grid_problem<D>& problem)
 {
+  const auto& [texts, variables, system, grid] = problem;
   for (const auto& path : arguments.outputs) static_cast<void>(writer_for<D>(path)); // fail before the work, not after
-  const auto system = polynomials_of<D>(space, texts);
   for (std::size_t k = 0; k < system.size(); ++k)
     if (system[k].is_zero())
       throw Invalid_input("localize: polynomial " + std::to_string(k + 1) + " is zero, so that every point is a zero; "
                           + "expected a polynomial that is not");
-  const auto counts = read_resolution(arguments.resolution, D);
-  Resolution<D> resolution;
-  std::copy_n(counts.begin(), D, resolution.begin());
-  const Grid<D> grid(box_of<D>(space), resolution);
-
   const Outcome<D> outcome = compute<D>(system, grid, texts, arguments);
 
   Output_options options;
-  options.variables = space.variables;
+  options.variables = variables;
   options.facts = outcome.facts;
   options.cell_notes = notes(outcome.decided);
   options.cell_notes.in_csv = arguments.rungs;
@@ -200,10 +192,7 @@ void localize_in(const Localize_arguments& arguments, const Space& space, const 
 
 void localize_command(const Localize_arguments& arguments)
 {
-  std::vector<std::string> texts;
-  for (const auto& argument : arguments.polynomials) texts.push_back(polynomial_text(argument));
-  const Space space = read_space(arguments.box, arguments.variables, texts);
-  with_dimension(space, [&](auto dimension) { localize_in<dimension>(arguments, space, texts); });
+  with_problem(arguments.problem, [&](const auto& problem) { localize_in(arguments, problem); });
 }
 
 // The given options that only the paper's engine heeds.
@@ -222,16 +211,9 @@ void add_localize(CLI::App& app)
 {
   const auto arguments = std::make_shared<Localize_arguments>();
   CLI::App* const command = app.add_subcommand("localize", "Find the cells that a curve or surface passes through");
-  command
-      ->add_option("POLY", arguments->polynomials,
+  add_grid_options(*command, arguments->problem,
                    "polynomial, such as 'x^2 + y^2 - 1/4'; @FILE reads it from a file, @- from standard input.\n"
-                   "With several, cells where all may vanish together are found.")
-      ->required();
-  command->add_option("--box", arguments->box, "LOWER:UPPER for each axis, separated by commas, such as -1:1,0:3/2")
-      ->required();
-  command->add_option("--resolution", arguments->resolution, "number of cells along each axis: N or NX,NY[,NZ]")
-      ->required();
-  command->add_option("--variables", arguments->variables, "names of the axes in order (else alphabetical)");
+                   "With several, cells where all may vanish together are found.");
   Localize_settings& settings = arguments->settings;
   command->add_option("--bounder", settings.method.bounder, "how ranges are bounded; see corral list")
       ->capture_default_str();
