@@ -4,8 +4,10 @@
 #include <corral/bounders/Modified_affine_bounder.h>
 #include <corral/bounders/Recursive_taylor_bounder.h>
 #include <corral/localization/localize.h>
+#include <corral/localization/localize_fast.h>
 #include <corral/number/Nearest_interval.h>
 #include <corral/polynomial/evaluate.h>
+#include <corral/verification/ideal_raster.h>
 
 #include <gtest/gtest.h>
 
@@ -95,6 +97,20 @@ TEST(Printed_counts, of_table_2_come_from_a_stale_polynomial_in_the_subvoxel_tes
     const auto found = find_cells<Stale_bounder>(example, plus_plus);
     EXPECT_EQ(found.cells.plotted(), printed.plotted) << "Example " << example;
     EXPECT_EQ(found.counters.subdivisions, printed.subdivisions) << "Example " << example;
+  }
+}
+
+TEST(Printed_counts, of_table_2_lack_no_voxel_of_the_surface_by_luck)
+{
+  for (std::size_t example = 11; example <= 20; ++example) {
+    const auto f = paper_surface(example - 11);
+    const auto grid = paper_grid_3(32);
+    const auto ideal = ideal_raster<3>(f, grid, localize_fast<3>(f, grid).cells);
+    EXPECT_EQ(ideal.cells.unknown(), 0U) << "Example " << example;
+    const auto printed = find_cells<Stale_bounder>(example, plus_plus);
+    ideal.cells.for_each([&](const Cell<3>& cell, Verdict) {
+      EXPECT_NE(printed.cells.at(cell), Verdict::empty) << "Example " << example;
+    });
   }
 }
 
