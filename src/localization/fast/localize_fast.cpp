@@ -55,8 +55,8 @@ unsigned task_level(const fast::Plan<D>& plan)
 
 unsigned thread_count(const Fast_options& options)
 {
-  if (options.threads == 1) return 1; // asking for the processors takes as long as a small curve
-  const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
+  if (options.threads == 1) return 1;
+  static const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
   return options.threads == 0 ? processors : std::min(options.threads, processors);
 }
 
@@ -102,7 +102,7 @@ public:
 
   Localization<D> run()
   {
-    if (threads_ == 1) return run_here();
+    if (threads_ == 1 || static_cast<int>(threads_) == tbb::this_task_arena::max_concurrency()) return run_here();
     tbb::task_arena arena(static_cast<int>(threads_));
     return arena.execute([&] { return run_here(); });
   }
