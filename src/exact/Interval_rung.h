@@ -45,13 +45,13 @@ public:
   [[nodiscard]] std::optional<Cell_decision<D>> decide(const Grid<D>& grid, const Cell<D>& cell, const Cell<D>& origin,
                                                        Rung rung) const
   {
-    constexpr std::size_t most_parts = 64;
+    constexpr unsigned most_depth = 3;
     const Arithmetic_scope<I> scope;
     std::vector<Part> parts(1);
     parts[0].values = coefficients_;
     for (std::size_t axis = 0; axis < D; ++axis) to_cell(parts[0].values, axis, origin[axis]);
     std::optional<Rational_point<D>> seen[2]; // a point where the polynomial is negative, one where it is positive
-    for (std::size_t count = 1; !parts.empty(); ++count) {
+    while (!parts.empty()) {
       Part part = std::move(parts.back());
       parts.pop_back();
       for (unsigned corner = 0; corner < 1U << D; ++corner)
@@ -63,7 +63,7 @@ public:
             return strict_sign(value) == sign;
           }))
         continue;
-      if (count + parts.size() >= most_parts) return std::nullopt;
+      if (part.depth[D - 1] == most_depth) return std::nullopt; // the last axis is cut last: a zero is near, or nearly
       parts.push_back(halve(part));
       parts.push_back(std::move(part));
     }
