@@ -105,7 +105,7 @@ TEST(Real_roots, decides_signs_and_rationality_at_roots)
 TEST(Real_roots, holds_together_on_products_of_random_polynomials)
 {
   std::mt19937_64 random(11);
-  for (int round = 0; round < 60; ++round) {
+  for (unsigned round = 0; round < 60; ++round) {
     const auto p = root_cases::random_polynomial(random, 1 + round % 12, 1 + 13 * (round % 7));
     const auto q = root_cases::random_polynomial(random, 1 + round % 5, 40);
     const auto product = multiply(multiply(p, p), q);
@@ -137,7 +137,7 @@ TEST(Real_roots, refuses_the_zero_polynomial_and_can_be_stopped)
 TEST(Integer_polynomial, greatest_common_divisors_are_exact)
 {
   std::mt19937_64 random(5);
-  for (int round = 0; round < 50; ++round) {
+  for (unsigned round = 0; round < 50; ++round) {
     const auto common = primitive_part(root_cases::random_polynomial(random, 1 + round % 6, 90));
     const auto p = multiply(common, root_cases::random_polynomial(random, 5, 200));
     const auto q = multiply(common, root_cases::random_polynomial(random, 7, 20));
