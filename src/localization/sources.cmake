@@ -5,6 +5,9 @@ target_sources(corral PRIVATE
   localization/fast/Fast_plan.cpp
   localization/fast/Monomial_shape.cpp
   localization/fast/Root_form.cpp
+  localization/fast/Rough_nodes.cpp
+  localization/fast/Runner.cpp
+  localization/fast/System_run.cpp
   localization/fast/fast_engine.cpp
   localization/fast/localize_fast.cpp)
 target_include_directories(corral PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})

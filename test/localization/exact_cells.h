@@ -9,7 +9,10 @@
 #include <corral/polynomial/print.h>
 #include <corral/polynomial/substitution.h>
 
+#include <array>
+#include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// \file
@@ -104,6 +107,37 @@ std::string contradiction(const Polynomial<Rational, D>& f, const Grid<D>& grid,
     text += " [" + to_string(box[axis].lower()) + ", " + to_string(box[axis].upper()) + "]";
   return text + " was called " + std::string(to_string(claimed)) + " and is " + std::string(to_string(truth))
          + " for f = " + text_of(f);
+}
+
+/// The cells of one axis that hold a coordinate: two if it is a grid line.
+template <std::size_t D>
+std::vector<std::uint32_t> cells_at(const Grid<D>& grid, std::size_t axis, const Rational& coordinate)
+{
+  const Rational place = (coordinate - grid.box()[axis].lower()) / grid.step(axis);
+  const auto floor = static_cast<std::uint32_t>(Integer(place.get_num() / place.get_den()).get_ui());
+  std::vector<std::uint32_t> result;
+  if (floor > 0 && place == floor) result.push_back(floor - 1);
+  if (floor < grid.resolution()[axis]) result.push_back(floor);
+  return result;
+}
+
+/// How many of the cells that hold a point of the box the set lacks.
+template <std::size_t D>
+std::size_t lost_cells(const Cell_set<D>& cells, const Grid<D>& grid, const std::array<Rational, D>& point)
+{
+  std::vector<Cell<D>> with_point{{}};
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    std::vector<Cell<D>> longer;
+    for (Cell<D> cell : with_point)
+      for (const auto index : cells_at(grid, axis, point[axis])) {
+        cell[axis] = index;
+        longer.push_back(cell);
+      }
+    with_point = std::move(longer);
+  }
+  std::size_t lost = 0;
+  for (const auto& cell : with_point) lost += cells.at(cell) == Verdict::empty ? 1U : 0U;
+  return lost;
 }
 
 /// The exact signs of f at all grid points of a plane, rows of constant y, from integer differences.

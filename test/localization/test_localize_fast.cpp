@@ -221,22 +221,6 @@ TEST(Localize_fast, sees_past_the_rounding_errors_of_a_large_box)
   EXPECT_GT(localize_fast(g, Grid<3>({side, side, side}, {96, 96, 96})).cells.hit(), 1000U);
 }
 
-TEST(Localize_fast, intersects_the_cells_of_a_system)
-{
-  const auto grid = test::paper_grid_2(512);
-  const auto cells = localize_fast<2>({test::paper_curve(2), test::paper_curve(3)}, grid).cells;
-  const auto first = localize_fast(test::paper_curve(2), grid).cells;
-  const auto second = localize_fast(test::paper_curve(3), grid).cells;
-  std::uint64_t common = 0;
-  first.for_each([&](const Cell<2>& cell, Verdict) {
-    const bool both = second.at(cell) != Verdict::empty;
-    common += both ? 1U : 0U;
-    EXPECT_EQ(cells.at(cell), both ? Verdict::unknown : Verdict::empty);
-  });
-  EXPECT_EQ(cells.plotted(), common);
-  EXPECT_GT(common, 0U);
-}
-
 TEST(Localize_fast, needs_memory_for_the_plotted_cells_only)
 {
   const auto cells = localize_fast(test::paper_curve(0), test::paper_grid_2(65536)).cells; // of 4.3 billion pixels
@@ -271,7 +255,6 @@ TEST(Localize_fast, refuses_what_it_cannot_do)
 {
   const auto grid = test::paper_grid_2(4096);
   EXPECT_THROW((void)localize_fast(Polynomial<Rational, 2>(), grid), Invalid_input);
-  EXPECT_THROW((void)localize_fast(std::vector<Polynomial<Rational, 2>>(), grid), Invalid_input);
   Fast_options few;
   few.cell_budget = 1000;
   EXPECT_THROW((void)localize_fast(test::paper_curve(0), grid, few), Budget_exceeded);

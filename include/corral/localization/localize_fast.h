@@ -42,8 +42,10 @@ template <std::size_t D>
 
 /// \brief The same for a system: a cell is plotted unless one of the polynomials has no zero in it.
 ///
-/// With several polynomials no cell is a `hit`.
-/// \pre `system` is not empty.
+/// All polynomials are subdivided together, so that a node which one of them drops is dropped for all. With several
+/// polynomials no cell is a `hit`.
+/// \pre `system` is not empty. \throw As above.
+/// \par Complexity  Time and memory proportional to the cells plotted in the end, those of a space curve, not of the surfaces.
 template <std::size_t D>
 [[nodiscard]] Localization<D> localize_fast(const std::vector<Polynomial<Rational, D>>& system,
                                                  const Grid<D>& grid, const Fast_options& options = {});

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CORRAL_SRC_LOCALIZATION_FAST_ROUGH_NODES_H
+#define CORRAL_SRC_LOCALIZATION_FAST_ROUGH_NODES_H
+
+#include "Fast_plan.h"
+
+#include <corral/localization/Grid.h>
+#include <corral/polynomial/Polynomial.h>
+
+#include <cstddef>
+
+namespace corral::fast {
+
+/// \brief Decides rough nodes twice: as all others, and on a grid in which a leaf block is as large as a cell here.
+template <std::size_t D>
+class Rough_nodes
+{
+public:
+  /// Whether there is a grid that is fine enough.
+  [[nodiscard]] static bool can_decide(const Grid<D>& grid);
+
+  /// \param plan  of f on the grid. \pre can_decide(grid); `f` outlives this object.
+  Rough_nodes(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Plan<D>& plan);
+
+  /// What is found in the nodes of some tasks, which lie side by side.
+  [[nodiscard]] Harvest<D> decide(const Seed<D>* seeds, const Task* tasks, std::size_t count) const;
+
+private:
+  const Polynomial<Rational, D>& f_;
+  Plan<D> plan_;
+  Grid<D> fine_grid_;
+  Plan<D> fine_plan_;
+};
+
+extern template class Rough_nodes<2>;
+extern template class Rough_nodes<3>;
+
+} // namespace corral::fast
+
+#endif
