@@ -184,9 +184,9 @@ private:
                 [](const auto& a, const auto& b) { return a.index < b.index; });
       common = p == 0 ? std::move(found.blocks) : common_cells(common, found.blocks);
     }
-    const auto by_corner = [](const auto& node) { return node.corner; };
-    std::ranges::sort(hidden, {}, by_corner);
-    hidden.erase(std::ranges::unique(hidden, {}, by_corner).begin(), hidden.end());
+    std::sort(hidden.begin(), hidden.end(), [](const auto& a, const auto& b) { return a.corner < b.corner; });
+    const auto same = [](const auto& a, const auto& b) { return a.corner == b.corner; };
+    hidden.erase(std::unique(hidden.begin(), hidden.end(), same), hidden.end());
     share /= static_cast<double>(1 + hidden.size());
     collect(common, bounds, share);
     for (const auto& node : hidden) uncover(node, share);
