@@ -55,7 +55,7 @@ Cell_set<D> run(fast::Plan<D> plan)
   const fast::Task whole{0, 1};
   fast::subdivide_tasks(plan, plan.root_level, &root, &whole, 1, 0, harvest);
   Cell_set<D> cells;
-  cells.append(std::move(harvest.blocks));
+  harvest.blocks.visit([&](const Cell_block<D>& block) { cells.append(block); });
   cells.finish();
   return cells;
 }

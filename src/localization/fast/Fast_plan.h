@@ -2,10 +2,10 @@
 #ifndef CORRAL_SRC_LOCALIZATION_FAST_FAST_PLAN_H
 #define CORRAL_SRC_LOCALIZATION_FAST_FAST_PLAN_H
 
+#include "Block_list.h"
 #include "Monomial_shape.h"
 #include "Root_form.h"
 
-#include <corral/localization/Cell_set.h>
 #include <corral/localization/Subdivision.h>
 
 #include <array>
@@ -44,8 +44,6 @@ struct Plan
     double curve; ///< e (e - 1)
   };
 
-  /// Rows of corners in a leaf, along the last axis, with padding: 9 of 16, or 5 x 5 of 5 x 8.
-  static constexpr std::size_t padded_rows = D == 2 ? 16 : 40;
   /// An undecided cell is looked at on lattices of 2, 4, ... up to this number of pieces a side.
   static constexpr unsigned probe_pieces = D == 2 ? 4 : 2;
 
@@ -120,7 +118,7 @@ struct Hidden_node
 template <std::size_t D>
 struct Harvest
 {
-  std::vector<Cell_block<D>> blocks;
+  Block_list<D> blocks;
   std::vector<Seed<D>> seeds;         ///< nodes of `stop_level` that may hold a zero, if the worker had to stop there
   std::vector<Hidden_node<D>> hidden; ///< nodes left undecided
   std::vector<Seed<D>> rough;         ///< nodes of `rough_level` left undecided, to be cut into smaller blocks

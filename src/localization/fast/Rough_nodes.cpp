@@ -25,22 +25,23 @@ Grid<D> refined(const Grid<D>& grid)
 
 /// What is known from some blocks and from `fine`, blocks of the grid in which these have the size of a cell.
 template <std::size_t D>
-std::vector<Cell_block<D>> merged(const std::vector<Cell_block<D>>& blocks, const std::vector<Cell_block<D>>& fine)
+Block_list<D> merged(const Block_list<D>& blocks, const Block_list<D>& fine)
 {
   std::map<std::array<std::uint32_t, D>, Cell_block<D>> coarse;
-  for (const Cell_block<D>& block : fine) {
+  fine.visit([&](const Cell_block<D>& block) {
     auto index = block.index;
     for (auto& i : index) i /= block_side<D>;
     Cell_block<D>& to = coarse.try_emplace(index, Cell_block<D>{index, 0, 0}).first->second;
     const std::uint64_t cell = std::uint64_t{1} << bit_of<D>(block.index);
     to.plotted |= cell;
     if (block.hit != 0) to.hit |= cell;
-  }
-  std::vector<Cell_block<D>> result;
-  for (const Cell_block<D>& block : blocks)
+  });
+  Block_list<D> result;
+  blocks.visit([&](const Cell_block<D>& block) {
     if (const auto found = coarse.find(block.index); found != coarse.end())
       if (const std::uint64_t plotted = block.plotted & found->second.plotted; plotted != 0)
-        result.push_back({block.index, plotted, block.hit | found->second.hit});
+        result.add({block.index, plotted, block.hit | found->second.hit});
+  });
   return result;
 }
 

@@ -14,7 +14,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <bit>
 #include <iterator>
 #include <mutex>
 #include <tuple>
@@ -141,11 +140,9 @@ private:
 
   void collect(Harvest<D>&& harvest, std::size_t tasks)
   {
-    std::uint64_t plotted = 0;
-    for (const auto& block : harvest.blocks) plotted += static_cast<unsigned>(std::popcount(block.plotted));
     const std::scoped_lock lock(mutex_);
     result_.counters.bounds += harvest.nodes;
-    plotted_ += plotted;
+    plotted_ += harvest.blocks.plotted();
     if (plotted_ > options_.cell_budget) throw_over_budget(options_.cell_budget);
     block_count_ += harvest.blocks.size();
     parts_.push_back(std::move(harvest.blocks));
@@ -164,7 +161,7 @@ private:
   std::vector<Seed<D>> seeds_;
   std::mutex mutex_; // guards what follows
   Localization<D> result_;
-  std::vector<std::vector<Cell_block<D>>> parts_;
+  std::vector<Block_list<D>> parts_;
   std::size_t block_count_ = 0;
   std::uint64_t plotted_ = 0;
   std::vector<Hidden_node<D>> hidden_;

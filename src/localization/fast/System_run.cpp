@@ -49,7 +49,7 @@ public:
     if (rough.empty()) return found;
     const auto tasks = grouped(rough);
     const Harvest<D> more = rough_nodes().decide(rough.data(), tasks.data(), tasks.size());
-    found.blocks.insert(found.blocks.end(), more.blocks.begin(), more.blocks.end());
+    more.blocks.visit([&](const Cell_block<D>& block) { found.blocks.add(block); });
     found.nodes += more.nodes;
     return found;
   }
@@ -180,9 +180,8 @@ private:
       Harvest<D> found = members_[p].leaves(level, std::move(nodes[p]));
       bounds += found.nodes;
       hidden.insert(hidden.end(), found.hidden.begin(), found.hidden.end());
-      std::sort(found.blocks.begin(), found.blocks.end(),
-                [](const auto& a, const auto& b) { return a.index < b.index; });
-      common = p == 0 ? std::move(found.blocks) : common_cells(common, found.blocks);
+      auto blocks = found.blocks.sorted();
+      common = p == 0 ? std::move(blocks) : common_cells(common, blocks);
     }
     std::sort(hidden.begin(), hidden.end(), [](const auto& a, const auto& b) { return a.corner < b.corner; });
     const auto same = [](const auto& a, const auto& b) { return a.corner == b.corner; };
@@ -201,9 +200,9 @@ private:
       return true;
     };
     const auto found = localize_system(system_, part(grid_, plan(), node), options, refines_);
-    Blocks blocks;
+    Block_list<D> blocks;
     append_part(found.cells, node.corner, blocks);
-    collect(blocks, found.counters.bounds, 0);
+    collect(blocks.sorted(), found.counters.bounds, 0);
   }
 
   void collect(const Blocks& blocks, std::uint64_t bounds, double share)

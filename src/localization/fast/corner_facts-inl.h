@@ -12,137 +12,146 @@
 #include <hwy/highway.h>
 
 #include <array>
+#include <bit>
 #include <cstdint>
+#include <cstring>
 
 HWY_BEFORE_NAMESPACE();
 namespace corral::fast::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
 
 /// One word for each block of a leaf, with the bits of `Cell_block`.
 template <std::size_t D>
 using Leaf_words = std::array<std::uint64_t, Plan<D>::leaf_blocks>;
 
-template <std::size_t words>
-HWY_INLINE std::array<std::uint64_t, words> both(std::array<std::uint64_t, words> a,
-                                                 const std::array<std::uint64_t, words>& b)
+/// The corners of the cells of a leaf, in rows along the last axis: 9 rows in the plane, 5 x 5 in space, axis 0 first.
+template <std::size_t D>
+struct Corner_layout
 {
-  for (std::size_t w = 0; w < words; ++w) a[w] &= b[w];
-  return a;
-}
-template <std::size_t words>
-HWY_INLINE std::array<std::uint64_t, words> either(std::array<std::uint64_t, words> a,
-                                                   const std::array<std::uint64_t, words>& b)
-{
-  for (std::size_t w = 0; w < words; ++w) a[w] |= b[w];
-  return a;
-}
+  static constexpr std::size_t side = block_side<D> + 1;            ///< rows along each axis
+  static constexpr std::size_t layers = D == 2 ? 1 : block_side<D>; ///< of cells, along axis 0 of space
+  static constexpr std::size_t layer_rows = block_side<D>;          ///< rows of cells in a layer
+  static constexpr std::size_t row_points = 9;
+  static constexpr std::size_t row_bytes = 16; ///< with padding
+  static constexpr std::size_t layer_bytes = layer_rows * row_bytes;
+  static constexpr std::size_t layer_step = side * row_bytes; ///< from a layer of corners to the next
+};
 
-template <std::size_t words>
-HWY_INLINE std::array<std::uint64_t, words> without(std::array<std::uint64_t, words> a,
-                                                    const std::array<std::uint64_t, words>& b)
-{
-  for (std::size_t w = 0; w < words; ++w) a[w] &= ~b[w];
-  return a;
-}
-template <std::size_t words>
-HWY_INLINE std::array<std::uint64_t, words> complement(std::array<std::uint64_t, words> a)
-{
-  for (auto& word : a) word = ~word;
-  return a;
-}
-
-/// \brief Which corners of a leaf have some property.
-///
-/// One byte a row, with one bit for each of the first eight corners along the last axis; the ninth are in `end`, one
-/// bit a row. In space there is one word for each grid line of axis 0, with a row for each of axis 1; in the plane the
-/// second word holds the ninth row.
+/// \brief Which corners of eight leaves have some property: a byte a corner, with a bit a leaf.
 template <std::size_t D>
 struct Corner_facts
 {
-  static constexpr std::size_t layers = D == 2 ? 2 : block_side<D> + 1;
-  std::uint64_t layer[layers] = {};
-  std::uint64_t end[layers] = {};
+  using Layout = Corner_layout<D>;
+  static constexpr std::size_t rows = D == 2 ? Layout::side : Layout::side * Layout::side;
+  static constexpr std::size_t padding = 16; // what reading one corner further reads of the last row
+  std::uint8_t of_corner[rows * Layout::row_bytes + padding];
+
+  [[nodiscard]] std::uint8_t* row(std::size_t number) { return of_corner + number * Layout::row_bytes; }
 };
 
-/// Facts on the cells of a leaf: bytes like those of the corners, eight rows a word.
+using Bytes = hn::CappedTag<std::uint8_t, 64>;
+inline constexpr std::size_t byte_lanes = hn::MaxLanes(Bytes());
+using Byte_vector = hn::Vec<Bytes>;
+static_assert(std::endian::native == std::endian::little);
+
+/// Facts on the cells of eight leaves: rows like those of the corners, of which eight bytes count.
 template <std::size_t D>
-using Cell_facts = std::array<std::uint64_t, D - 1>;
+struct Cell_facts
+{
+  static constexpr std::size_t layer_size = Corner_layout<D>::layer_bytes / byte_lanes;
+  static constexpr std::size_t size = Corner_layout<D>::layers * layer_size;
+  Byte_vector part[size];
+};
 
-/// Bit k goes to the highest bit of byte k.
-HWY_INLINE std::uint64_t spread(std::uint64_t bits)
+struct Any
 {
-  constexpr std::uint64_t shifts = 0x810204080; // by 7, 14, 21, 28, 35: no two of the bits meet
-  constexpr std::uint64_t high = 0x8080808080;
-  return ((bits & 0x1f) * shifts & high) | (((bits >> 5) * shifts & high) << 40);
-}
+  HWY_INLINE Byte_vector operator()(const Byte_vector& a, const Byte_vector& b) const { return hn::Or(a, b); }
+};
+struct All
+{
+  HWY_INLINE Byte_vector operator()(const Byte_vector& a, const Byte_vector& b) const { return hn::And(a, b); }
+};
 
-/// For each corner the fact on the next along its row.
-template <std::size_t D>
-HWY_INLINE Corner_facts<D> next_along_rows(const Corner_facts<D>& facts)
+/// The cells of which any corner, or all corners, have the property.
+template <class Combine, std::size_t D>
+HWY_INLINE Cell_facts<D> of_cells(const Corner_facts<D>& facts)
 {
-  Corner_facts<D> next;
-  for (std::size_t x = 0; x < facts.layers; ++x)
-    next.layer[x] = (facts.layer[x] >> 1 & 0x7f7f7f7f7f7f7f7fU) | spread(facts.end[x]);
-  return next;
-}
-
-/// Combines the facts on the corners of each cell. \param next  what `next_along_rows` gives.
-template <class Combine>
-HWY_INLINE Cell_facts<2> combined(const Corner_facts<2>& facts, const Corner_facts<2>& next, const Combine& combine)
-{
-  const std::uint64_t rows = combine(facts.layer[0], next.layer[0]);
-  const std::uint64_t last = combine(facts.layer[1], next.layer[1]);
-  return {combine(rows, rows >> 8 | last << 56)};
-}
-template <class Combine>
-HWY_INLINE Cell_facts<3> combined(const Corner_facts<3>& facts, const Corner_facts<3>& next, const Combine& combine)
-{
-  std::uint64_t rows[Corner_facts<3>::layers];
-  for (std::size_t x = 0; x < facts.layers; ++x) {
-    const std::uint64_t five = combine(facts.layer[x], next.layer[x]);
-    rows[x] = combine(five, five >> 8);
+  using Layout = Corner_layout<D>;
+  const Combine combine;
+  const auto face = [&](std::size_t at) HWY_ATTR {
+    const auto corner = [&](std::size_t step) HWY_ATTR { return hn::LoadU(Bytes(), facts.of_corner + at + step); };
+    return combine(combine(corner(0), corner(1)), combine(corner(Layout::row_bytes), corner(Layout::row_bytes + 1)));
+  };
+  Cell_facts<D> cells;
+  for (std::size_t p = 0; p < cells.layer_size; ++p) {
+    auto last = face(p * byte_lanes);
+    if constexpr (D == 2) cells.part[p] = last;
+    for (std::size_t layer = 0; D == 3 && layer < Layout::layers; ++layer) {
+      const auto next = face((layer + 1) * Layout::layer_step + p * byte_lanes);
+      cells.part[layer * cells.layer_size + p] = combine(last, next);
+      last = next;
+    }
   }
-  const auto cells = [&](std::size_t x) { return combine(rows[x], rows[x + 1]) & 0xffffffffU; };
-  return {cells(0) | cells(1) << 32, cells(2) | cells(3) << 32};
+  return cells;
 }
 
 template <std::size_t D>
-HWY_INLINE Cell_facts<D> with_any(const Corner_facts<D>& facts, const Corner_facts<D>& next)
+HWY_INLINE Cell_facts<D> both(Cell_facts<D> a, const Cell_facts<D>& b)
 {
-  return combined(facts, next, [](std::uint64_t a, std::uint64_t b) { return a | b; });
+  for (std::size_t p = 0; p < a.size; ++p) a.part[p] = hn::And(a.part[p], b.part[p]);
+  return a;
 }
 template <std::size_t D>
-HWY_INLINE Cell_facts<D> with_all(const Corner_facts<D>& facts, const Corner_facts<D>& next)
+HWY_INLINE Cell_facts<D> either(Cell_facts<D> a, const Cell_facts<D>& b)
 {
-  return combined(facts, next, [](std::uint64_t a, std::uint64_t b) { return a & b; });
-}
-/// The cells with at least one corner that has the property, and those whose corners all have it.
-template <std::size_t D>
-HWY_INLINE Cell_facts<D> with_any(const Corner_facts<D>& facts)
-{
-  return with_any(facts, next_along_rows(facts));
-}
-template <std::size_t D>
-HWY_INLINE Cell_facts<D> with_all(const Corner_facts<D>& facts)
-{
-  return with_all(facts, next_along_rows(facts));
+  for (std::size_t p = 0; p < a.size; ++p) a.part[p] = hn::Or(a.part[p], b.part[p]);
+  return a;
 }
 
-/// The lower half of each byte, side by side.
-HWY_INLINE std::uint64_t lower_halves(std::uint64_t bytes)
+/// \brief `a` for the leaves in `chosen`, what is not in `b` for the others.
+template <std::size_t D>
+HWY_INLINE Cell_facts<D> chosen_or_not(unsigned chosen, Cell_facts<D> a, const Cell_facts<D>& b)
 {
-  bytes &= 0x0f0f0f0f0f0f0f0fU;
-  bytes = (bytes | bytes >> 4) & 0x00ff00ff00ff00ffU;
-  bytes = (bytes | bytes >> 8) & 0x0000ffff0000ffffU;
-  return (bytes | bytes >> 16) & 0xffffffffU;
+  const auto from_a = hn::Set(Bytes(), static_cast<std::uint8_t>(chosen));
+  for (std::size_t p = 0; p < a.size; ++p)
+    a.part[p] = hn::Or(hn::And(from_a, a.part[p]), hn::AndNot(hn::Or(from_a, b.part[p]), hn::Set(Bytes(), 0xff)));
+  return a;
 }
 
-/// The same bits, ordered as in `Cell_block`.
-HWY_INLINE Leaf_words<2> in_blocks(const Cell_facts<2>& cells) { return cells; }
-HWY_INLINE Leaf_words<3> in_blocks(const Cell_facts<3>& cells)
+/// The same facts as `Leaf_words` of one leaf after the other.
+template <std::size_t D>
+class Facts_by_leaf
 {
-  return {lower_halves(cells[0]) | lower_halves(cells[1]) << 32,
-          lower_halves(cells[0] >> 4) | lower_halves(cells[1] >> 4) << 32};
-}
+public:
+  HWY_INLINE explicit Facts_by_leaf(const Cell_facts<D>& cells)
+  {
+    using Layout = Corner_layout<D>;
+    alignas(64) std::uint8_t rows[Layout::layers * Layout::layer_bytes];
+    for (std::size_t p = 0; p < cells.size; ++p) hn::StoreU(cells.part[p], Bytes(), rows + p * byte_lanes);
+    constexpr std::size_t run = 8 / blocks; // cells of a row that are in one block
+    for (std::size_t row = 0; row < 64 / run; ++row)
+      for (std::size_t block = 0; block < blocks; ++block)
+        std::memcpy(of_cell_ + 64 * block + run * row, rows + row * Layout::row_bytes + run * block, run);
+  }
+
+  [[nodiscard]] HWY_INLINE Leaf_words<D> operator[](std::size_t leaf) const
+  {
+    const auto bit = hn::Set(Bytes(), static_cast<std::uint8_t>(1U << leaf));
+    Leaf_words<D> words{};
+    for (std::size_t first = 0; first < 64 * blocks; first += byte_lanes) {
+      std::uint64_t bits = 0;
+      hn::StoreMaskBits(Bytes(), hn::TestBit(hn::LoadU(Bytes(), of_cell_ + first), bit),
+                        reinterpret_cast<std::uint8_t*>(&bits));
+      words[first / 64] |= bits << first % 64;
+    }
+    return words;
+  }
+
+private:
+  static constexpr std::size_t blocks = Plan<D>::leaf_blocks;
+  alignas(64) std::uint8_t of_cell_[64 * blocks];
+};
 
 } // namespace corral::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -57,6 +57,7 @@ private:
   void emit_hidden(unsigned level, unsigned lanes);
   void emit_rough(std::size_t k, const double* c, unsigned lanes);
   void append(unsigned level, std::size_t k, const double* c, unsigned kept);
+  void decide_leaves(const Pool<D>& from, std::size_t k);
   void emit_seeds(unsigned level);
 
   const Plan<D>& plan_;
@@ -93,7 +94,7 @@ bool Worker<D>::next(unsigned& level, std::size_t& k) const
   return found; // no full batch: the coarsest level
 }
 
-/// Makes the children of up to eight nodes of one pool.
+/// Makes the children of up to eight nodes of one pool, or decides them.
 template <std::size_t D>
 void Worker<D>::split(unsigned level, std::size_t k)
 {
@@ -105,6 +106,7 @@ void Worker<D>::split(unsigned level, std::size_t k)
   if (taken < batch) // the other lanes compute with zeros
     for (std::size_t row = 0; row < header + cut(k).size; ++row)
       std::fill(from.row(row) + from.count + taken, from.row(row) + from.count + batch, 0.0);
+  if (level == plan_.leaf_level) return decide_leaves(from, k);
   take(from, level, k);
   children<0>(level - 1, k, stage_[0]);
 }
@@ -164,7 +166,7 @@ void Worker<D>::children(unsigned level, std::size_t k, const double* from)
   }
 }
 
-/// What becomes of eight children: most are dropped, the others stored for later or decided at once.
+/// What becomes of eight children: most are dropped, the others stored for later.
 template <std::size_t D>
 void Worker<D>::admit(unsigned level, std::size_t k, const double* c)
 {
@@ -181,11 +183,18 @@ void Worker<D>::admit(unsigned level, std::size_t k, const double* c)
       kept &= ~rough;
     }
   if (kept == 0) return;
-  k = tests_.drop(level, k, kept);
-  if (level == plan_.leaf_level)
-    leaves_.decide({cut(k), c, tests_.remainder(), tests_.norm(), corner_, kept});
-  else
-    append(level, k, c, kept);
+  append(level, tests_.drop(level, k, kept), c, kept);
+}
+
+template <std::size_t D>
+void Worker<D>::decide_leaves(const Pool<D>& from, std::size_t k)
+{
+  const auto copy = [&](std::size_t row, double* to) HWY_ATTR { store(load(from.row(row) + from.count), to); };
+  copy(0, remainder_);
+  copy(1, norm_);
+  for (std::size_t axis = 0; axis < D; ++axis) copy(2 + axis, corner_[axis]);
+  for (std::size_t i = 0; i < cut(k).size; ++i) copy(header + i, stage_[0] + i * batch);
+  leaves_.decide({cut(k), stage_[0], remainder_, norm_, corner_, valid_});
 }
 
 /// The lanes that hold a node with cells of the grid.

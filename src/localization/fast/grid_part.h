@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <utility>
-#include <vector>
 
 namespace corral::fast {
 
@@ -33,12 +32,11 @@ template <std::size_t D>
 
 /// Adds the cells of the part with this corner to blocks of the whole grid. \pre The corner is one of a block.
 template <std::size_t D>
-void append_part(const Cell_set<D>& cells, const std::array<std::uint32_t, D>& corner,
-                 std::vector<Cell_block<D>>& blocks)
+void append_part(const Cell_set<D>& cells, const std::array<std::uint32_t, D>& corner, Block_list<D>& blocks)
 {
   for (auto block : cells.blocks()) {
     for (std::size_t axis = 0; axis < D; ++axis) block.index[axis] += corner[axis] / block_side<D>;
-    blocks.push_back(block);
+    blocks.add(block);
   }
 }
 

@@ -34,14 +34,9 @@ template <std::size_t D>
 class Leaf_decision
 {
 public:
-  Leaf_decision(const Plan<D>& plan, std::vector<Cell_block<D>>& harvest)
-      : plan_(plan), harvest_(harvest), whole_leaves_(true)
+  Leaf_decision(const Plan<D>& plan, Block_list<D>& harvest) : plan_(plan), harvest_(harvest), whole_leaves_(true)
   {
-    const std::size_t degrees = plan.shape.degree() + std::size_t{1};
-    const std::size_t powers = degrees * Plan<D>::padded_rows;
-    const std::size_t probe = (2 * plan.shape.size() + degrees) * batch;
-    workspace_ = hwy::AllocateAligned<double>(powers + probe);
-    probe_workspace_ = workspace_.get() + powers;
+    workspace_ = hwy::AllocateAligned<double>(Leaf_probe<D>::workspace_size(plan.shape));
     for (std::size_t axis = 0; axis < D; ++axis) {
       const std::uint32_t side = block_side<D> * (axis + 1 == D ? std::uint32_t{Plan<D>::leaf_blocks} : 1U);
       whole_leaves_ = whole_leaves_ && plan.resolution[axis] % side == 0;
@@ -57,29 +52,29 @@ private:
   [[nodiscard]] Leaf_words<D> outside(const Leaf_batch<D>& leaves, std::size_t lane) const;
 
   const Plan<D>& plan_;
-  std::vector<Cell_block<D>>& harvest_;
+  Block_list<D>& harvest_;
   hwy::AlignedFreeUniquePtr<double[]> workspace_;
-  double* probe_workspace_;
-  std::array<Cell_block<D>, batch * Plan<D>::leaf_blocks + 1> found_; // the blocks of one batch, and a place to spare
-  bool whole_leaves_;                                                 // the grid is made of whole leaves
-  std::uint64_t plotted_ = 0;                                         // cells harvested
+  bool whole_leaves_; // the grid is made of whole leaves
 };
 
 template <std::size_t D>
 void Leaf_decision<D>::decide(const Leaf_batch<D>& leaves)
 {
-  if (plotted_ > plan_.cell_budget) throw_over_budget(plan_.cell_budget);
+  if (harvest_.plotted() > plan_.cell_budget) throw_over_budget(plan_.cell_budget);
   const Thresholds thresholds =
       leaf_thresholds(plan_, leaves.cut.size, leaves.coefficients, load(leaves.norm), load(leaves.remainder));
   std::array<Leaf_masks<D>, batch> masks;
-  Leaf_corners<D>(plan_, leaves.cut, leaves.coefficients, thresholds, workspace_.get())
-      .decide(leaves.lanes, masks.data());
-  Leaf_probe<D> probe(plan_, leaves.cut, leaves.coefficients, thresholds, masks.data(), probe_workspace_);
+  const Leaf_form<D> form(leaves.cut, leaves.coefficients, workspace_.get());
+  Leaf_corners<D>(plan_, form, thresholds).decide(leaves.lanes, masks.data());
+  Leaf_probe<D> probe(plan_, leaves.cut, leaves.coefficients, thresholds, masks.data(), workspace_.get());
   // Where rounding errors hide everything, no probe helps.
   const unsigned clear = at_most(load(thresholds.sign) * set(64), load(leaves.norm));
   for (unsigned rest = leaves.lanes; rest != 0; rest &= rest - 1) {
     const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-    if (!whole_leaves_) masks[lane].empty = either(masks[lane].empty, outside(leaves, lane));
+    if (!whole_leaves_) {
+      const Leaf_words<D> cells = outside(leaves, lane);
+      for (std::size_t b = 0; b < Plan<D>::leaf_blocks; ++b) masks[lane].empty[b] |= cells[b];
+    }
     for (std::size_t b = 0; b < Plan<D>::leaf_blocks; ++b)
       if (const std::uint64_t open = ~masks[lane].empty[b] & ~masks[lane].hit[b]; open != 0 && (clear >> lane & 1) != 0)
         probe.add(lane, b, open);
@@ -91,21 +86,23 @@ void Leaf_decision<D>::decide(const Leaf_batch<D>& leaves)
 template <std::size_t D>
 void Leaf_decision<D>::harvest(const Leaf_batch<D>& leaves, const Leaf_masks<D>* masks)
 {
+  Cell_block<D>* const to = harvest_.room(batch * Plan<D>::leaf_blocks + 1);
   std::size_t count = 0;
+  std::uint64_t plotted = 0;
   for (unsigned rest = leaves.lanes; rest != 0; rest &= rest - 1) {
     const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
     for (std::size_t b = 0; b < Plan<D>::leaf_blocks; ++b) {
-      Cell_block<D>& block = found_[count];
+      Cell_block<D>& block = to[count];
       for (std::size_t axis = 0; axis < D; ++axis)
         block.index[axis] = static_cast<std::uint32_t>(leaves.corner[axis][lane]) / block_side<D>;
       block.index[D - 1] += static_cast<std::uint32_t>(b);
       block.plotted = ~masks[lane].empty[b];
       block.hit = masks[lane].hit[b] & block.plotted;
-      plotted_ += static_cast<unsigned>(std::popcount(block.plotted));
+      plotted += static_cast<unsigned>(std::popcount(block.plotted));
       count += block.plotted != 0 ? 1 : 0; // no branch, since nobody can predict it
     }
   }
-  harvest_.insert(harvest_.end(), found_.begin(), found_.begin() + static_cast<std::ptrdiff_t>(count));
+  harvest_.keep(count, plotted);
 }
 
 /// The cells of a leaf that do not belong to the grid.

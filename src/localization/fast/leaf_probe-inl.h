@@ -24,12 +24,17 @@ public:
 
   /// \param coefficients  of the batch, an octet each.
   /// \param masks         one of each leaf; receives what is found.
-  /// \param workspace     `cut.size` octets, then as many as the last axis has lines, then as many as it has powers.
+  /// \param workspace     `workspace_size` doubles.
   Leaf_probe(const Plan<D>& plan, const Cut& cut, const double* coefficients, const Thresholds& thresholds,
              Leaf_masks<D>* masks, double* workspace)
-      : plan_(plan), cut_(cut), lines_(cut.lines[D - 2]), batch_(coefficients), t_(thresholds), masks_(masks),
-        c_(workspace), in_lines_(c_ + cut.size * batch), powers_(in_lines_ + lines_.lines.size() * batch)
+      : plan_(plan), batch_(coefficients), size_(cut.size), t_(thresholds), masks_(masks), c_(workspace),
+        form_(cut, c_, c_ + cut.size * batch)
   {}
+
+  [[nodiscard]] static std::size_t workspace_size(const Monomial_shape<D>& shape)
+  {
+    return shape.size() * batch + Leaf_form<D>::workspace_size(shape);
+  }
 
   /// Looks at some cells of one block of a leaf, now or later.
   void add(std::size_t leaf, std::size_t block, std::uint64_t cells)
@@ -56,24 +61,21 @@ private:
     std::uint64_t bit;
   };
 
-  [[nodiscard]] HWY_INLINE Octet coordinate(std::size_t axis, unsigned k, unsigned pieces) const
+  [[nodiscard]] HWY_INLINE Octet coordinate(std::size_t axis, std::size_t k, unsigned pieces) const
   {
-    return load(centre_[axis]) + set((2.0 * k / pieces - 1) / plan_.leaf_cells[axis]);
+    return load(centre_[axis]) + set((2.0 * static_cast<double>(k) / pieces - 1) / plan_.leaf_cells[axis]);
   }
   [[nodiscard]] Octet of_leaf(const double* values) const;
   void gather();
-  HWY_INLINE void evaluate_lines(const Octet& x) const;
   [[nodiscard]] unsigned look(unsigned lanes, unsigned pieces, unsigned& hit) const;
 
   const Plan<D>& plan_;
-  const Cut& cut_;
-  const typename Monomial_shape<D>::Lines& lines_;
   const double* batch_;
+  std::size_t size_; // coefficients of a leaf
   const Thresholds& t_;
   Leaf_masks<D>* masks_;
-  double* c_;        // of the leaf of each cell
-  double* in_lines_; // values of the lines
-  double* powers_;   // coefficients of the powers of the last coordinate
+  double* c_; // of the leaf of each cell
+  Leaf_form<D> form_;
   std::size_t count_ = 0;
   std::array<Place, batch> where_{};
   alignas(64) std::int64_t leaf_[batch] = {};
@@ -97,54 +99,28 @@ Octet Leaf_probe<D>::of_leaf(const double* values) const
 template <std::size_t D>
 void Leaf_probe<D>::gather()
 {
-  for (std::size_t i = 0; i < cut_.size; ++i) store(of_leaf(batch_ + i * batch), c_ + i * batch);
-}
-
-/// All lines of axis D - 2, by Horner's rule.
-template <std::size_t D>
-HWY_INLINE void Leaf_probe<D>::evaluate_lines(const Octet& x) const
-{
-  double* to = D == 2 ? powers_ : in_lines_;
-  for (const auto& line : lines_.lines) {
-    const std::uint32_t* const index = lines_.index.data() + line.first;
-    Octet value = load(c_ + index[line.degree] * batch);
-    for (std::uint32_t e = line.degree; e-- > 0;) value = value * x + load(c_ + index[e] * batch);
-    store(value, to);
-    to += batch;
-  }
+  for (std::size_t i = 0; i < size_; ++i) store(of_leaf(batch_ + i * batch), c_ + i * batch);
 }
 
 /// Evaluates f at `pieces + 1` points a side of the cells; returns the lanes proved empty, and those hit.
 template <std::size_t D>
 unsigned Leaf_probe<D>::look(unsigned lanes, unsigned pieces, unsigned& hit) const
 {
-  const std::size_t top = cut_.slab.size() - 2;
   Octet low = set(std::numeric_limits<double>::infinity());
   Octet high = set(-std::numeric_limits<double>::infinity());
-  const auto last_axis = [&]() HWY_ATTR {
-    for (unsigned k = 0; k <= pieces; ++k) {
-      const Octet x = coordinate(D - 1, k, pieces);
-      Octet value = load(powers_ + top * batch);
-      for (std::size_t i = top; i-- > 0;) value = value * x + load(powers_ + i * batch);
-      low = min(low, value);
-      high = max(high, value);
-    }
+  const auto visit_row = [&]() HWY_ATTR {
+    form_.along_row(
+        pieces + std::size_t{1}, [&](std::size_t k) HWY_ATTR { return coordinate(D - 1, k, pieces); },
+        [&](const Octet& value) HWY_ATTR {
+          low = min(low, value);
+          high = max(high, value);
+        });
   };
-  for (unsigned j = 0; j <= pieces; ++j) {
-    evaluate_lines(coordinate(D - 2, j, pieces));
-    if constexpr (D == 2) {
-      last_axis();
-    } else {
-      for (unsigned k = 0; k <= pieces; ++k) {
-        const Octet x = coordinate(0, k, pieces);
-        for (std::size_t i = 0; i <= top; ++i) {
-          std::size_t line = cut_.slab[i + 1] - std::size_t{1};
-          Octet value = load(in_lines_ + line * batch);
-          while (line-- > cut_.slab[i]) value = value * x + load(in_lines_ + line * batch);
-          store(value, powers_ + i * batch);
-        }
-        last_axis();
-      }
+  for (std::size_t j = 0; j <= pieces; ++j) {
+    form_.fix_axis_before_last(coordinate(D - 2, j, pieces));
+    for (std::size_t i = 0; i <= (D == 3 ? pieces : 0); ++i) {
+      if constexpr (D == 3) form_.fix_first_axis(coordinate(0, i, pieces));
+      visit_row();
     }
   }
   const Octet sign = of_leaf(t_.sign);

@@ -2,7 +2,7 @@
 #ifndef CORRAL_SRC_LOCALIZATION_FAST_SORTED_BLOCKS_H
 #define CORRAL_SRC_LOCALIZATION_FAST_SORTED_BLOCKS_H
 
-#include <corral/localization/Cell_set.h>
+#include "Block_list.h"
 
 #include <tbb/parallel_for.h>
 
@@ -32,7 +32,7 @@ class Block_sorter
 {
 public:
   using Block = Cell_block<D>;
-  using Parts = std::vector<std::vector<Block>>;
+  using Parts = std::vector<Block_list<D>>;
 
   /// \pre No two blocks have the same index. \param extent  more than any index, by axis.
   Block_sorter(Parts parts, const std::array<std::uint32_t, D>& extent, std::size_t shares)
@@ -47,7 +47,7 @@ public:
     sorted_.resize(count);
     if (count < 64 || extent_[0] / 4 > count) {
       auto to = sorted_.begin();
-      for (const auto& part : parts_) to = std::copy(part.begin(), part.end(), to);
+      for (const auto& part : parts_) part.visit([&](const Block& block) { *to++ = block; });
       std::sort(sorted_.begin(), sorted_.end(), by_index);
     } else {
       into_layers();
@@ -63,8 +63,7 @@ private:
   {
     std::vector<std::vector<std::size_t>> position(shares_, std::vector<std::size_t>(extent_[0]));
     const auto parts_of = [&](std::size_t share, const auto& visit) {
-      for (std::size_t p = share; p < parts_.size(); p += shares_)
-        for (const Block& block : parts_[p]) visit(block);
+      for (std::size_t p = share; p < parts_.size(); p += shares_) parts_[p].visit(visit);
     };
     for_each_share(shares_, [&](std::size_t share) {
       parts_of(share, [&](const Block& block) { ++position[share][block.index[0]]; });
