@@ -42,14 +42,24 @@ struct Bernstein_form
   }
 };
 
+/// Calls `function(first, stride)` for every line of an array along `axis`: the index of its first value and the
+/// distance between neighbours.
+template <std::size_t D, class Function>
+void for_each_line(const std::array<std::size_t, D>& size, std::size_t axis, const Function& function)
+{
+  std::size_t stride = 1;
+  for (std::size_t k = axis + 1; k < D; ++k) stride *= size[k];
+  std::size_t count = stride;
+  for (std::size_t k = 0; k <= axis; ++k) count *= size[k];
+  for (std::size_t outer = 0; outer < count; outer += stride * size[axis])
+    for (std::size_t first = outer; first < outer + stride; ++first) function(first, stride);
+}
+
 /// Calls `function(first)` with the index of the first value of every line along `axis`.
 template <std::size_t D, class Function>
 void for_each_line(const Bernstein_form<D>& form, std::size_t axis, const Function& function)
 {
-  const std::size_t stride = form.stride(axis);
-  const std::size_t length = stride * form.size[axis];
-  for (std::size_t outer = 0; outer < form.values.size(); outer += length)
-    for (std::size_t inner = 0; inner < stride; ++inner) function(outer + inner);
+  for_each_line(form.size, axis, [&](std::size_t first, std::size_t) { function(first); });
 }
 
 /// The dense coefficients of `g` in the power basis, kept in the same layout.

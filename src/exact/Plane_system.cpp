@@ -4,11 +4,14 @@
 #include "Extension.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace corral::exact {
 
 namespace {
+
+constexpr std::size_t max_columns = 256; // kept for other boxes over the same side, then forgotten: bounded memory
 
 /// f over [alpha] x [beta], by Horner's rule in y.
 Rational_interval enclose(const Bivariate& f, const Rational_interval& x, const Rational_interval& y)
@@ -99,25 +102,36 @@ std::vector<Triangular_zero<2>> Plane_system::zeros_in(const Rational_box<2>& bo
   std::vector<Triangular_zero<2>> zeros;
   if (f_.is_constant() || g_.is_constant()) return zeros;
   eliminate_y(checkpoint);
-  for (const auto& factor : first_)
-    for (auto& alpha : isolate_simple_roots(factor, box[0], checkpoint)) {
-      if (checkpoint) checkpoint();
-      const auto fibre = over(alpha, box[1]);
-      if (fibre == Over::one)
-        zeros.push_back(with_chain ? linear_zero(alpha, box[1])
-                                   : Triangular_zero<2>{{}, {}, {alpha.interval(), box[1]}});
-      if (fibre == Over::many) {
-        if (!second_)
-          second_ = std::make_shared<const Integer_polynomial>(
-              square_free_part(eliminate(bivariate(f_, 0), bivariate(g_, 0), checkpoint).resultant));
-        for (auto& beta : isolate_simple_roots(second_, box[1], checkpoint)) {
-          if (excluded(alpha, beta)) continue;
-          if (auto zero = common_zero(alpha, beta, checkpoint)) zeros.push_back(std::move(*zero));
-        }
+  for (Real_root alpha : first_coordinates(box[0], checkpoint)) {
+    if (checkpoint) checkpoint();
+    const auto fibre = over(alpha, box[1]);
+    if (fibre == Over::one)
+      zeros.push_back(with_chain ? linear_zero(alpha, box[1]) : Triangular_zero<2>{{}, {}, {alpha.interval(), box[1]}});
+    if (fibre == Over::many) {
+      if (!second_)
+        second_ = std::make_shared<const Integer_polynomial>(
+            square_free_part(eliminate(bivariate(f_, 0), bivariate(g_, 0), checkpoint).resultant));
+      for (auto& beta : isolate_simple_roots(second_, box[1], checkpoint)) {
+        if (excluded(alpha, beta)) continue;
+        if (auto zero = common_zero(alpha, beta, checkpoint)) zeros.push_back(std::move(*zero));
       }
-      if (first_only && !zeros.empty()) return zeros;
     }
+    if (first_only && !zeros.empty()) return zeros;
+  }
   return zeros;
+}
+
+std::vector<Real_root>& Plane_system::first_coordinates(const Rational_interval& side, const Checkpoint& checkpoint)
+{
+  const std::pair ends(side.lower(), side.upper());
+  if (const auto known = alphas_.find(ends); known != alphas_.end()) return known->second;
+  std::vector<Real_root> roots;
+  for (const auto& factor : first_) {
+    auto more = isolate_simple_roots(factor, side, checkpoint);
+    std::move(more.begin(), more.end(), std::back_inserter(roots));
+  }
+  if (alphas_.size() >= max_columns) alphas_.clear();
+  return alphas_.insert_or_assign(ends, std::move(roots)).first->second;
 }
 
 Plane_system::Over Plane_system::over(Real_root& alpha, const Rational_interval& side) const

@@ -6,8 +6,10 @@
 
 #include <corral/verification/Witness.h>
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace corral::exact {
@@ -41,6 +43,8 @@ private:
   enum class Over { none, one, many };
 
   void eliminate_y(const Checkpoint& checkpoint);
+  /// The first coordinates of common zeros, complex ones over them included, in a side. Many boxes share it.
+  [[nodiscard]] std::vector<Real_root>& first_coordinates(const Rational_interval& side, const Checkpoint& checkpoint);
   /// The common zeros over alpha as far as the linear subresultant tells: none in `side`, the one it gives, or unclear.
   [[nodiscard]] Over over(Real_root& alpha, const Rational_interval& side) const;
   [[nodiscard]] Triangular_zero<2> linear_zero(Real_root alpha, const Rational_interval& side) const;
@@ -52,7 +56,8 @@ private:
   Polynomial<Integer, 2> g_;
   std::optional<Elimination> elimination_; ///< of y
   std::vector<Shared_polynomial> first_;   ///< square-free, coprime factors of the resultant in x
-  Shared_polynomial second_;               ///< the square-free resultant in y
+  std::map<std::pair<Rational, Rational>, std::vector<Real_root>> alphas_;
+  Shared_polynomial second_; ///< the square-free resultant in y
 };
 
 } // namespace corral::exact

@@ -2,6 +2,7 @@
 #include "Zero_set.h"
 
 #include "Extreme_points.h"
+#include "corners.h"
 #include "lift.h"
 #include "on_box.h"
 #include "restriction.h"
@@ -20,27 +21,6 @@ namespace {
 
 constexpr std::size_t max_restrictions = 256; // kept for the neighbours, then forgotten: bounded memory
 constexpr std::size_t max_guesses = 16;
-
-template <std::size_t D>
-Rational_point<D> corner_of(const Rational_box<D>& box, unsigned corner)
-{
-  Rational_point<D> point;
-  for (std::size_t k = 0; k < D; ++k) point[k] = (corner >> k & 1) != 0 ? box[k].upper() : box[k].lower();
-  return point;
-}
-
-/// Two corners with opposite signs, or one that is a zero. \pre The form crosses.
-template <std::size_t D>
-Sign_change<D> corner_witness(const Bernstein_form<D>& form, const Rational_box<D>& box)
-{
-  const int sign = sgn(form.corner(0));
-  for (unsigned corner = 0; corner < 1U << D; ++corner) {
-    const int other = sgn(form.corner(corner));
-    if (other == 0) return {corner_of(box, corner), corner_of(box, corner)};
-    if (other != sign) return {corner_of(box, 0), corner_of(box, corner)};
-  }
-  return {};
-}
 
 /// g without the factors that have one variable only: lines along an axis, which cross the boundary of every box they
 /// meet.
@@ -114,7 +94,7 @@ template <std::size_t D>
 Cell_decision<D> Zero_set<D>::decide(const Bernstein_form<D>& form, const Rational_box<D>& box)
 {
   const auto pattern = sign_pattern(form);
-  if (pattern.crosses) return {Verdict::hit, Rung::integers, corner_witness(form, box), {}};
+  if (pattern.crosses) return {Verdict::hit, Rung::integers, corner_witness(corner_signs(form), box), {}};
   if (pattern.hull != 0) return {Verdict::empty, Rung::integers, Bounded_away{}, {}};
   if (auto zero = zero_on_facets(form, box)) return *zero;
   for (std::size_t axis = 0; axis < D; ++axis)
@@ -123,7 +103,7 @@ Cell_decision<D> Zero_set<D>::decide(const Bernstein_form<D>& form, const Ration
   Search search{box, pattern.corners, {}, 0};
   search.live.push_back({form, {}});
   const bool dear = form.values.size() > 170; // elimination costs more than many boxes
-  if (auto decision = subdivide(search, dear ? 24 : 6, dear ? 60 : 20)) return *decision;
+  if (auto decision = subdivide(search, dear ? 1 : 6, dear ? 20 : 20)) return *decision;
   return decide_by_algebra(search);
 }
 
@@ -195,7 +175,8 @@ std::optional<Cell_decision<D>> Zero_set<D>::keep_or_decide(Search& search, Piec
 {
   const auto pattern = sign_pattern(piece.form);
   if (pattern.crosses)
-    return Cell_decision<D>{Verdict::hit, Rung::integers, corner_witness(piece.form, piece_box(search, piece)), {}};
+    return Cell_decision<D>{
+        Verdict::hit, Rung::integers, corner_witness(corner_signs(piece.form), piece_box(search, piece)), {}};
   if (pattern.corners != search.sign)
     return Cell_decision<D>{Verdict::hit,
                             Rung::integers,

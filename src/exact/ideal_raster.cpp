@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "Interval_rung.h"
 #include "Tiled_form.h"
 #include "Zero_set.h"
+#include "corners.h"
 #include "decide_cells.h"
+#include "restriction.h"
 
 #include <corral/errors.h>
+#include <corral/number/Mpfr_interval.h>
+#include <corral/number/Outward_interval.h>
 #include <corral/polynomial/square_free.h>
 #include <corral/verification/ideal_raster.h>
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace corral {
@@ -20,9 +27,58 @@ struct Cell_decider<D>::State
         zeros([g = free] { return g; }, checkpoint, witnesses)
   {}
 
+  /// What intervals say of a cell. \param sign  that of all corners.
+  [[nodiscard]] std::optional<Cell_decision<D>> decide_by_intervals(const exact::Bernstein_form<D>& power, int sign,
+                                                                    const Rational_box<D>& box)
+  {
+    using Kind = typename exact::Finding<D>::Kind;
+    auto rung = Rung::intervals;
+    auto finding = doubles.look_for_zero(power, sign);
+    if (finding.kind == Kind::unclear && is_wide(power)) {
+      rung = Rung::mpfr;
+      finding = mpfr.look_for_zero(power, sign);
+    }
+    if (finding.kind == Kind::none) return Cell_decision<D>{Verdict::empty, rung, Bounded_away{}, {}};
+    if (finding.kind == Kind::crossing) {
+      for (std::size_t k = 0; k < D; ++k) finding.point[k] = at(box[k], finding.point[k]);
+      return Cell_decision<D>{Verdict::hit, rung, Sign_change<D>{exact::corner_of(box, 0), finding.point}, {}};
+    }
+    return guess(finding.left, box);
+  }
+
+  /// An isolated zero is often a simple rational point. \param parts  where it may be, in units of the box.
+  [[nodiscard]] std::optional<Cell_decision<D>> guess(const std::vector<Rational_box<D>>& parts,
+                                                      const Rational_box<D>& box) const
+  {
+    constexpr std::size_t max_guesses = 16;
+    if (parts.size() > max_guesses) return std::nullopt;
+    for (const auto& part : parts) {
+      Rational_point<D> point;
+      for (std::size_t k = 0; k < D; ++k)
+        point[k] = simplest_rational({at(box[k], part[k].lower()), at(box[k], part[k].upper())});
+      if (exact::vanishes_at(free, point))
+        return Cell_decision<D>{Verdict::hit, Rung::integers, Sign_change<D>{point, point}, {}};
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] static Rational at(const Rational_interval& side, const Rational& offset)
+  {
+    return side.lower() + (side.upper() - side.lower()) * offset;
+  }
+
+  /// Whether MPFR is so much faster than the integers that trying it pays.
+  [[nodiscard]] static bool is_wide(const exact::Bernstein_form<D>& power)
+  {
+    return std::any_of(power.values.begin(), power.values.end(),
+                       [](const Integer& c) { return mpz_sizeinbase(c.get_mpz_t(), 2) > 1024; });
+  }
+
   Grid<D> grid;
   Polynomial<Integer, D> free;
   exact::Tiled_form<D> form;
+  exact::Interval_rung<Outward_interval, D> doubles{60};
+  exact::Interval_rung<Mpfr_interval, D> mpfr{128};
   exact::Zero_set<D> zeros;
 };
 
@@ -51,8 +107,14 @@ const Polynomial<Integer, D>& Cell_decider<D>::square_free() const
 template <std::size_t D>
 Cell_decision<D> Cell_decider<D>::decide(const Cell<D>& cell)
 {
-  if (auto decision = state_->form.decide_by_intervals(state_->grid, cell)) return *decision;
-  return state_->zeros.decide(state_->form.on_cell(cell), state_->grid.cell_box(cell));
+  const auto& power = state_->form.on_cell(cell);
+  const auto box = state_->grid.cell_box(cell);
+  const auto corners = exact::corner_signs_of_powers(power);
+  if (corners.common() == 0) return {Verdict::hit, Rung::integers, exact::corner_witness(corners, box), {}};
+  if (auto decision = state_->decide_by_intervals(power, corners.common(), box)) return *decision;
+  auto form = power;
+  exact::to_bernstein(form);
+  return state_->zeros.decide(form, box);
 }
 
 template <std::size_t D>

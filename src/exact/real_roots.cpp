@@ -102,14 +102,22 @@ std::size_t sign_variations(const std::vector<Integer>& values)
   return variations;
 }
 
-std::vector<Integer> bernstein_coefficients(const Integer_polynomial& p)
+namespace {
+
+/// C(n, k) b_k for the Bernstein coefficients b_k: those of (1 + x)^n p(1 / (1 + x)), from the highest down.
+std::vector<Integer> weighted_bernstein_coefficients(const Integer_polynomial& p)
 {
-  // (1 + x)^n p(1 / (1 + x)) has the coefficients C(n, k) b_{n-k}.
   const std::size_t n = degree(p);
   std::vector<Integer> b(p.rbegin(), p.rend());
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = n; j-- > i;) b[j] += b[j + 1];
   std::reverse(b.begin(), b.end());
+  return b;
+}
+
+std::vector<Integer> without_weights(std::vector<Integer> b)
+{
+  const std::size_t n = b.size() - 1;
   // times k! (n-k)! makes n! b_k
   std::vector<Integer> factorial(n + 1, Integer(1));
   for (std::size_t k = 2; k <= n; ++k) factorial[k] = factorial[k - 1] * static_cast<unsigned long>(k);
@@ -119,6 +127,13 @@ std::vector<Integer> bernstein_coefficients(const Integer_polynomial& p)
   if (divisor > 1)
     for (Integer& c : b) mpz_divexact(c.get_mpz_t(), c.get_mpz_t(), divisor.get_mpz_t());
   return b;
+}
+
+} // namespace
+
+std::vector<Integer> bernstein_coefficients(const Integer_polynomial& p)
+{
+  return without_weights(weighted_bernstein_coefficients(p));
 }
 
 Integer root_bound(const Integer_polynomial& p)
@@ -267,9 +282,12 @@ std::vector<Real_root> isolate_simple_roots(const std::shared_ptr<const Integer_
     if (sign_at(*p, interval.lower()) == 0) roots.emplace_back(p, interval, 1);
     return roots;
   }
+  auto weighted =
+      weighted_bernstein_coefficients(compose_affine(*p, interval.lower(), interval.upper() - interval.lower()));
+  if (sign_variations(weighted) == 0 && weighted.front() != 0 && weighted.back() != 0) return roots;
   const Unit_map map{interval};
   Isolator isolator(map, checkpoint);
-  isolator.run(bernstein_coefficients(compose_affine(*p, interval.lower(), interval.upper() - interval.lower())));
+  isolator.run(without_weights(std::move(weighted)));
   for (auto& where : isolator.take()) roots.emplace_back(p, std::move(where), 1);
   return roots;
 }

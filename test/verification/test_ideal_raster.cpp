@@ -435,14 +435,19 @@ TEST(Ideal_raster, counts_the_rung_that_decided)
     return counts[static_cast<std::size_t>(rung)];
   };
   const auto circle = plot<2>("x^2+y^2-7/3", around, 16).rungs;
-  EXPECT_GT(total(circle.hit, Rung::intervals), 0U);
+  EXPECT_GT(total(circle.hit, Rung::integers), 0U); // signs of corners
   EXPECT_GT(total(circle.empty, Rung::intervals), 0U);
+  const auto oval = plot<2>("(x-1/2)^2+(y-1/2)^2-1/3", around, 4).rungs; // crosses edges, not beyond corners
+  EXPECT_GT(total(oval.hit, Rung::intervals), 0U);
   const auto point = plot<2>("(x^2-2)^2+(y^2-3)^2", around, 4).rungs;
   EXPECT_EQ(total(point.hit, Rung::algebra), 4U);
   const auto corner = plot<2>("x*(y-1)", around, 4).rungs; // zero at corners, which intervals cannot tell
   EXPECT_GT(total(corner.hit, Rung::integers), 0U);
   const auto fine = plot<2>("10^700*(x^2+y^2-7/3)+10^680*x-y", around, 16).rungs;
-  EXPECT_EQ(total(fine.hit, Rung::integers) + total(fine.hit, Rung::algebra), 0U);
+  EXPECT_EQ(total(fine.empty, Rung::integers) + total(fine.empty, Rung::algebra), 0U);
+  const auto narrow =
+      plot<2>("(x-1/2)^2+(y-1/2)^2-1/4+1/10^30+1/10^400", around, 4).rungs; // for doubles it touches edges
+  EXPECT_GT(total(narrow.empty, Rung::mpfr), 0U);
 }
 
 } // namespace
