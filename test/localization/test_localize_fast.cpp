@@ -3,7 +3,7 @@
 #include <corral/verification/Trouble_source.h>
 
 #include "exact_cells.h"
-#include "localization/fast/Fast_plan.h"
+#include "localization/fast/Subdivider.h"
 #include "paper_polynomials.h"
 #include "random_cases.h"
 #include "rounds.h"
@@ -52,8 +52,7 @@ Cell_set<D> run(fast::Plan<D> plan)
   plan.tells_hidden = plan.tells_rough = false;
   const auto root = fast::root_seed(plan);
   fast::Harvest<D> harvest;
-  const fast::Task whole{0, 1};
-  fast::subdivide_tasks(plan, plan.root_level, &root, &whole, 1, 0, harvest);
+  fast::make_subdivider(plan)->run(plan.root_level, {&root, 1}, 0, harvest);
   Cell_set<D> cells;
   harvest.blocks.visit([&](const Cell_block<D>& block) { cells.append(block); });
   cells.finish();

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <memory>
 #include <vector>
 
@@ -42,6 +43,15 @@ public:
   {
     *room(1) = block;
     keep(1, static_cast<unsigned>(std::popcount(block.plotted)));
+  }
+
+  /// Takes in all blocks of another list.
+  void append(Block_list&& other)
+  {
+    std::move(other.chunks_.begin(), other.chunks_.end(), std::back_inserter(chunks_));
+    size_ += other.size_;
+    plotted_ += other.plotted_;
+    other = {};
   }
 
   template <class Visit>

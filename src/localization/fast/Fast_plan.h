@@ -99,13 +99,6 @@ struct Seed
   std::vector<double> rows;
 };
 
-/// Up to eight seeds of one class, subdivided together. Tasks depend on the input alone, and so does the result.
-struct Task
-{
-  std::size_t first;
-  std::size_t count;
-};
-
 /// A node in which the remainder hides the polynomial. A root form of its own, rounded anew, can see more.
 template <std::size_t D>
 struct Hidden_node
@@ -131,13 +124,6 @@ template <std::size_t D>
 
 /// \throw Budget_exceeded always.
 [[noreturn]] void throw_over_budget(std::uint64_t budget);
-
-/// \brief Subdivides the seeds of some tasks, all of level `level`, down to `stop_level`, or down to the leaves if that
-/// is 0. \pre level == plan.root_level for the root seed alone; else level > plan.leaf_level. \throw Budget_exceeded if
-/// there are more plotted cells than `plan.cell_budget`.
-template <std::size_t D>
-void subdivide_tasks(const Plan<D>& plan, unsigned level, const Seed<D>* seeds, const Task* tasks, std::size_t count,
-                     unsigned stop_level, Harvest<D>& harvest);
 
 extern template struct Plan<2>;
 extern template struct Plan<3>;

@@ -3,7 +3,6 @@
 
 #include "Runner.h"
 #include "grid_part.h"
-#include "tasks.h"
 
 #include <algorithm>
 #include <array>
@@ -63,18 +62,15 @@ Rough_nodes<D>::Rough_nodes(const Polynomial<Rational, D>& f, const Grid<D>& gri
 }
 
 template <std::size_t D>
-Harvest<D> Rough_nodes<D>::decide(const Seed<D>* seeds, const Task* tasks, std::size_t count) const
+Harvest<D> Rough_nodes<D>::decide(Task<D> seeds) const
 {
   Harvest<D> coarse;
-  subdivide_tasks(plan_, plan_.rough_level, seeds, tasks, count, 0, coarse);
-  const Task& last = tasks[count - 1];
-  std::vector<Seed<D>> fine_seeds(seeds + tasks[0].first, seeds + last.first + last.count);
+  subdivide(plan_, plan_.rough_level, seeds, 0, coarse);
+  std::vector<Seed<D>> fine_seeds(seeds.begin(), seeds.end());
   for (auto& seed : fine_seeds)
     for (std::size_t axis = 0; axis < D; ++axis) seed.rows[2 + axis] *= block_side<D>;
-  const auto fine_tasks = grouped(fine_seeds);
-  const unsigned fine_level = plan_.rough_level + (fine_plan_.root_level - plan_.root_level);
   Harvest<D> fine;
-  subdivide_tasks(fine_plan_, fine_level, fine_seeds.data(), fine_tasks.data(), fine_tasks.size(), 0, fine);
+  subdivide<D>(fine_plan_, plan_.rough_level + (fine_plan_.root_level - plan_.root_level), fine_seeds, 0, fine);
   for (const auto& node : fine.hidden) {
     const auto found = localize_part(f_, part(fine_grid_, fine_plan_, node), {}, false);
     fine.nodes += found.counters.bounds;

@@ -2,7 +2,7 @@
 #ifndef CORRAL_SRC_LOCALIZATION_FAST_ROUGH_NODES_H
 #define CORRAL_SRC_LOCALIZATION_FAST_ROUGH_NODES_H
 
-#include "Fast_plan.h"
+#include "tasks.h"
 
 #include <corral/localization/Grid.h>
 #include <corral/polynomial/Polynomial.h>
@@ -22,8 +22,8 @@ public:
   /// \param plan  of f on the grid. \pre can_decide(grid); `f` outlives this object.
   Rough_nodes(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Plan<D>& plan);
 
-  /// What is found in the nodes of some tasks, which lie side by side.
-  [[nodiscard]] Harvest<D> decide(const Seed<D>* seeds, const Task* tasks, std::size_t count) const;
+  /// What is found in some nodes. \pre Those of one class stand side by side.
+  [[nodiscard]] Harvest<D> decide(Task<D> seeds) const;
 
 private:
   const Polynomial<Rational, D>& f_;

@@ -3,18 +3,20 @@
 
 #include "Fast_plan.h"
 #include "Rough_nodes.h"
+#include "bands.h"
 #include "grid_part.h"
 #include "sorted_blocks.h"
-#include "tasks.h"
 
 #include <corral/errors.h>
 #include <corral/number/Environment.h>
 
 #include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <mutex>
 #include <tuple>
 #include <utility>
@@ -43,7 +45,8 @@ class Runner
 {
 public:
   Runner(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Fast_options& options, bool refines)
-      : f_(f), grid_(grid), options_(options), threads_(thread_count(options.threads)), plan_(f, grid)
+      : f_(f), grid_(grid), options_(options), threads_(thread_count(options.threads)), plan_(f, grid),
+        subdividers_([this] { return make_subdivider(plan_); })
   {
     plan_.cell_budget = options.cell_budget;
     plan_.tells_rough = refines && Rough_nodes<D>::can_decide(grid);
@@ -59,51 +62,60 @@ private:
   {
     const Nearest_scope environment;
     const Seed<D> root = root_seed(plan_);
-    const Task whole{0, 1};
     const unsigned level = task_level(plan_);
-    Harvest<D> harvest;
-    subdivide_tasks(plan_, plan_.root_level, &root, &whole, 1, level, harvest);
-    seeds_ = std::move(harvest.seeds);
-    std::stable_sort(seeds_.begin(), seeds_.end(), [](const auto& a, const auto& b) { return a.cut < b.cut; });
-    const auto tasks = grouped(seeds_);
-    begin(tasks.size());
-    collect(std::move(harvest), 0);
-    in_ranges(tasks.size(), [&](std::size_t first, std::size_t last) {
-      const Nearest_scope scope;
+    Harvest<D> top;
+    subdividers_.local()->run(plan_.root_level, {&root, 1}, level, top);
+    const Bands<D> bands(std::move(top.seeds));
+    lists_.resize(bands.tasks().size() + 1);
+    begin(bands.tasks().size());
+    collect(std::move(top), lists_.back(), 0);
+    in_parallel(bands.tasks().size(), [&](std::size_t t) {
       Harvest<D> found;
-      subdivide_tasks(plan_, level, seeds_.data(), tasks.data() + first, last - first, 0, found);
-      collect(std::move(found), last - first);
+      subdividers_.local()->run(level, bands.tasks()[t], 0, found);
+      collect(std::move(found), lists_[t], 1);
     });
-    begin(hidden_.size());
-    in_ranges(hidden_.size(), [&](std::size_t first, std::size_t last) {
-      for (std::size_t k = first; k < last; ++k) collect(uncover(hidden_[k]), 1);
-    });
-    if (!rough_.empty()) decide_rough();
-    result_.cells.append(sorted_blocks());
+    Block_list<D> others = hidden_blocks();
+    decide_rough(others);
+    result_.cells.append(sorted(bands.bands()));
+    if (others.size() > 0) {
+      others.visit([&](const Cell_block<D>& block) { result_.cells.append(block); });
+      result_.cells.finish();
+    }
     return std::move(result_);
   }
 
-  /// Calls `some(first, last)` for ranges that cover 0 to `count`.
+  /// Calls `some(k)` for k from 0 to `count`.
   template <class Some>
-  void in_ranges(std::size_t count, const Some& some) const
+  void in_parallel(std::size_t count, const Some& some) const
   {
-    if (count == 0) return;
-    if (threads_ > 1)
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count),
-                        [&](const auto& range) { some(range.begin(), range.end()); });
-    else if (options_.progress)
-      for (std::size_t k = 0; k < count; ++k) some(k, k + 1);
-    else
-      some(0, count);
+    if (threads_ == 1 || count < 2) {
+      for (std::size_t k = 0; k < count; ++k) some(k);
+      return;
+    }
+    const tbb::blocked_range<std::size_t> range(0, count);
+    tbb::parallel_for(
+        range,
+        [&](const auto& part) {
+          const Nearest_scope environment;
+          for (std::size_t k = part.begin(); k != part.end(); ++k) some(k);
+        },
+        tbb::simple_partitioner());
   }
 
-  std::vector<Cell_block<D>> sorted_blocks()
+  /// What the tasks found. The last list is that of the top of the tree, which is empty if there are tasks.
+  [[nodiscard]] std::vector<Cell_block<D>> sorted(std::vector<Band> bands) const
   {
-    std::array<std::uint32_t, D> extent;
-    for (std::size_t axis = 0; axis < D; ++axis) extent[axis] = (grid_.resolution()[axis] - 1) / block_side<D> + 1;
-    constexpr std::size_t worth_a_thread = 2000;
-    const std::size_t shares = block_count_ < worth_a_thread ? 1 : threads_;
-    return Block_sorter<D>(std::move(parts_), extent, shares).run();
+    if (bands.empty()) bands.push_back({0, lists_.size()});
+    std::vector<std::size_t> begin{0};
+    for (const Band& band : bands) {
+      begin.push_back(begin.back());
+      for (std::size_t t = band.first; t < band.end; ++t) begin.back() += lists_[t].size();
+    }
+    std::vector<Cell_block<D>> blocks(begin.back());
+    in_parallel(bands.size(), [&](std::size_t b) {
+      Block_sorter<D>().sort({lists_.data() + bands[b].first, lists_.data() + bands[b].end}, blocks.data() + begin[b]);
+    });
+    return blocks;
   }
 
   void begin(std::size_t tasks)
@@ -112,40 +124,43 @@ private:
     done_ = 0;
   }
 
-  /// Localises on the part of the grid that a hidden node covers.
-  [[nodiscard]] Harvest<D> uncover(const Hidden_node<D>& node) const
+  /// Localises on the parts of the grid that hidden nodes cover.
+  [[nodiscard]] Block_list<D> hidden_blocks()
   {
-    Fast_options options;
-    options.cell_budget = options_.cell_budget;
-    const auto found = localize_part(f_, part(grid_, plan_, node), options, true);
-    Harvest<D> harvest;
-    harvest.nodes = found.counters.bounds;
-    append_part(found.cells, node.corner, harvest.blocks);
-    return harvest;
+    Block_list<D> blocks;
+    const auto nodes = std::exchange(hidden_, {});
+    begin(nodes.size());
+    in_parallel(nodes.size(), [&](std::size_t k) {
+      Fast_options options;
+      options.cell_budget = options_.cell_budget;
+      const auto found = localize_part(f_, part(grid_, plan_, nodes[k]), options, true);
+      Harvest<D> harvest;
+      harvest.nodes = found.counters.bounds;
+      append_part(found.cells, nodes[k].corner, harvest.blocks);
+      collect(std::move(harvest), blocks, 1);
+    });
+    return blocks;
   }
 
-  void decide_rough()
+  void decide_rough(Block_list<D>& blocks)
   {
+    if (rough_.empty()) return;
     const Rough_nodes<D> nodes(f_, grid_, plan_);
     auto seeds = std::exchange(rough_, {});
     std::sort(seeds.begin(), seeds.end(),
               [](const auto& a, const auto& b) { return std::tie(a.cut, a.rows) < std::tie(b.cut, b.rows); });
-    const auto tasks = grouped(seeds);
+    const auto tasks = grouped<D>(seeds);
     begin(tasks.size());
-    in_ranges(tasks.size(), [&](std::size_t first, std::size_t last) {
-      const Nearest_scope scope;
-      collect(nodes.decide(seeds.data(), tasks.data() + first, last - first), last - first);
-    });
+    in_parallel(tasks.size(), [&](std::size_t t) { collect(nodes.decide(tasks[t]), blocks, 1); });
   }
 
-  void collect(Harvest<D>&& harvest, std::size_t tasks)
+  void collect(Harvest<D>&& harvest, Block_list<D>& blocks, std::size_t tasks)
   {
     const std::scoped_lock lock(mutex_);
     result_.counters.bounds += harvest.nodes;
     plotted_ += harvest.blocks.plotted();
     if (plotted_ > options_.cell_budget) throw_over_budget(options_.cell_budget);
-    block_count_ += harvest.blocks.size();
-    parts_.push_back(std::move(harvest.blocks));
+    blocks.append(std::move(harvest.blocks));
     hidden_.insert(hidden_.end(), harvest.hidden.begin(), harvest.hidden.end());
     std::move(harvest.rough.begin(), harvest.rough.end(), std::back_inserter(rough_));
     done_ += tasks;
@@ -158,11 +173,10 @@ private:
   const Fast_options& options_;
   unsigned threads_;
   Plan<D> plan_;
-  std::vector<Seed<D>> seeds_;
-  std::mutex mutex_; // guards what follows
+  tbb::enumerable_thread_specific<std::unique_ptr<Subdivider<D>>> subdividers_;
+  std::vector<Block_list<D>> lists_; // by task what it found
+  std::mutex mutex_;                 // guards what follows
   Localization<D> result_;
-  std::vector<Block_list<D>> parts_;
-  std::size_t block_count_ = 0;
   std::uint64_t plotted_ = 0;
   std::vector<Hidden_node<D>> hidden_;
   std::vector<Seed<D>> rough_;

@@ -47,8 +47,7 @@ public:
     Harvest<D> found = subdivided(level, seeds_of(nodes, Open_node<D>::smooth), 0);
     std::move(found.rough.begin(), found.rough.end(), std::back_inserter(rough)); // the root, if it is near the leaves
     if (rough.empty()) return found;
-    const auto tasks = grouped(rough);
-    const Harvest<D> more = rough_nodes().decide(rough.data(), tasks.data(), tasks.size());
+    const Harvest<D> more = rough_nodes().decide(rough);
     more.blocks.visit([&](const Cell_block<D>& block) { found.blocks.add(block); });
     found.nodes += more.nodes;
     return found;
@@ -67,8 +66,7 @@ private:
   [[nodiscard]] Harvest<D> subdivided(unsigned level, const std::vector<Seed<D>>& seeds, unsigned stop_level) const
   {
     Harvest<D> found;
-    const auto tasks = grouped(seeds);
-    subdivide_tasks(plan_, level, seeds.data(), tasks.data(), tasks.size(), stop_level, found);
+    subdivide<D>(plan_, level, seeds, stop_level, found);
     return found;
   }
 

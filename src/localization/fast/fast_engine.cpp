@@ -7,7 +7,7 @@
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #include <hwy/foreach_target.h>
 
-#include "Fast_plan.h"
+#include "Subdivider.h"
 #include "leaf_decision-inl.h"
 #include "node_pool-inl.h"
 #include "node_tests-inl.h"
@@ -23,23 +23,21 @@
 HWY_BEFORE_NAMESPACE();
 namespace corral::fast::HWY_NAMESPACE {
 
-/// \brief One worker: subdivides batches of eight nodes, deepest full batch first.
+/// Batches of eight nodes, deepest full batch first.
 template <std::size_t D>
-class Worker
+class Worker final : public Subdivider<D>
 {
 public:
-  Worker(const Plan<D>& plan, unsigned stop_level, Harvest<D>& harvest)
-      : plan_(plan), stop_level_(stop_level), harvest_(harvest), cuts_(plan.shape.classes().size()),
-        pools_((plan.root_level + 1) * cuts_), level_count_(plan.root_level + 1), tests_(plan),
-        leaves_(plan, harvest.blocks)
+  explicit Worker(const Plan<D>& plan)
+      : plan_(plan), cuts_(plan.shape.classes().size()), pools_((plan.root_level + 1) * cuts_),
+        level_count_(plan.root_level + 1), tests_(plan), leaves_(plan)
   {
     const std::size_t rows = plan.shape.size() * batch;
     workspace_ = hwy::AllocateAligned<double>(rows * (D + 1));
     for (std::size_t k = 0; k <= D; ++k) stage_[k] = workspace_.get() + k * rows;
   }
 
-  /// Subdivides the seeds of one task. The worker keeps nothing of it but memory.
-  void run(unsigned level, const Seed<D>* seeds, std::size_t count);
+  void run(unsigned level, std::span<const Seed<D>> seeds, unsigned stop_level, Harvest<D>& harvest) override;
 
 private:
   using Cut = typename Monomial_shape<D>::Class;
@@ -61,8 +59,8 @@ private:
   void emit_seeds(unsigned level);
 
   const Plan<D>& plan_;
-  unsigned stop_level_;
-  Harvest<D>& harvest_;
+  unsigned stop_level_ = 0;
+  Harvest<D>* harvest_ = nullptr;
   std::size_t cuts_;
   std::vector<Pool<D>> pools_;
   std::vector<std::size_t> level_count_; // nodes of one level
@@ -170,7 +168,7 @@ void Worker<D>::children(unsigned level, std::size_t k, const double* from)
 template <std::size_t D>
 void Worker<D>::admit(unsigned level, std::size_t k, const double* c)
 {
-  harvest_.nodes += static_cast<unsigned>(std::popcount(valid_));
+  harvest_->nodes += static_cast<unsigned>(std::popcount(valid_));
   unsigned kept = inside() & tests_.bound(cut(k), c, remainder_);
   if (plan_.tells_hidden && kept != 0 && level < plan_.root_level)
     if (const unsigned hidden = kept & tests_.hidden(level); hidden != 0) {
@@ -194,7 +192,7 @@ void Worker<D>::decide_leaves(const Pool<D>& from, std::size_t k)
   copy(1, norm_);
   for (std::size_t axis = 0; axis < D; ++axis) copy(2 + axis, corner_[axis]);
   for (std::size_t i = 0; i < cut(k).size; ++i) copy(header + i, stage_[0] + i * batch);
-  leaves_.decide({cut(k), stage_[0], remainder_, norm_, corner_, valid_});
+  leaves_.decide({cut(k), stage_[0], remainder_, norm_, corner_, valid_}, harvest_->blocks);
 }
 
 /// The lanes that hold a node with cells of the grid.
@@ -213,7 +211,7 @@ void Worker<D>::emit_hidden(unsigned level, unsigned lanes)
     Hidden_node<D> node{level, {}};
     for (std::size_t axis = 0; axis < D; ++axis)
       node.corner[axis] = static_cast<std::uint32_t>(corner_[axis][std::countr_zero(lanes)]);
-    harvest_.hidden.push_back(node);
+    harvest_->hidden.push_back(node);
   }
 }
 
@@ -225,7 +223,7 @@ void Worker<D>::emit_rough(std::size_t k, const double* c, unsigned lanes)
     Seed<D> seed{k, {tests_.remainder()[lane], tests_.norm()[lane]}};
     for (std::size_t axis = 0; axis < D; ++axis) seed.rows.push_back(corner_[axis][lane]);
     for (std::size_t i = 0; i < cut(k).size; ++i) seed.rows.push_back(c[i * batch + lane]);
-    harvest_.rough.push_back(std::move(seed));
+    harvest_->rough.push_back(std::move(seed));
   }
 }
 
@@ -261,7 +259,7 @@ void Worker<D>::emit_seeds(unsigned level)
       Seed<D> seed{k, {}};
       seed.rows.reserve(header + cut(k).size);
       for (std::size_t row = 0; row < header + cut(k).size; ++row) seed.rows.push_back(from.row(row)[lane]);
-      harvest_.seeds.push_back(std::move(seed));
+      harvest_->seeds.push_back(std::move(seed));
     }
     from.count = 0;
   }
@@ -269,8 +267,10 @@ void Worker<D>::emit_seeds(unsigned level)
 }
 
 template <std::size_t D>
-void Worker<D>::run(unsigned level, const Seed<D>* seeds, std::size_t count)
+void Worker<D>::run(unsigned level, std::span<const Seed<D>> seeds, unsigned stop_level, Harvest<D>& harvest)
 {
+  stop_level_ = stop_level;
+  harvest_ = &harvest;
   if (level == plan_.root_level) {
     const auto& rows = seeds[0].rows;
     for (std::size_t i = 0; i < cut(0).size; ++i) store(set(rows[header + i]), stage_[0] + i * batch);
@@ -279,38 +279,20 @@ void Worker<D>::run(unsigned level, const Seed<D>* seeds, std::size_t count)
     valid_ = 1;
     admit(level, 0, stage_[0]);
   } else {
-    for (std::size_t s = 0; s < count; ++s) {
-      const std::size_t k = seeds[s].cut;
-      Pool<D>& to = pool(level, k);
-      to.prepare(cut(k).size);
-      for (std::size_t row = 0; row < seeds[s].rows.size(); ++row) to.row(row)[to.count] = seeds[s].rows[row];
+    for (const Seed<D>& seed : seeds) {
+      Pool<D>& to = pool(level, seed.cut);
+      to.prepare(cut(seed.cut).size);
+      for (std::size_t row = 0; row < seed.rows.size(); ++row) to.row(row)[to.count] = seed.rows[row];
       ++to.count;
     }
-    level_count_[level] = count;
+    level_count_[level] = seeds.size();
   }
   std::size_t k = 0;
   while (next(level, k)) split(level, k);
 }
 
-template <std::size_t D>
-void run_tasks(const Plan<D>& plan, unsigned level, const Seed<D>* seeds, const Task* tasks, std::size_t count,
-               unsigned stop_level, Harvest<D>& harvest)
-{
-  Worker<D> worker(plan, stop_level, harvest);
-  for (std::size_t t = 0; t < count; ++t) worker.run(level, seeds + tasks[t].first, tasks[t].count);
-}
-
-void run_tasks_2(const Plan<2>& plan, unsigned level, const Seed<2>* seeds, const Task* tasks, std::size_t count,
-                 unsigned stop_level, Harvest<2>& harvest)
-{
-  run_tasks(plan, level, seeds, tasks, count, stop_level, harvest);
-}
-
-void run_tasks_3(const Plan<3>& plan, unsigned level, const Seed<3>* seeds, const Task* tasks, std::size_t count,
-                 unsigned stop_level, Harvest<3>& harvest)
-{
-  run_tasks(plan, level, seeds, tasks, count, stop_level, harvest);
-}
+std::unique_ptr<Subdivider<2>> make_worker_2(const Plan<2>& plan) { return std::make_unique<Worker<2>>(plan); }
+std::unique_ptr<Subdivider<3>> make_worker_3(const Plan<3>& plan) { return std::make_unique<Worker<3>>(plan); }
 
 } // namespace corral::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -318,21 +300,19 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace corral::fast {
 
-HWY_EXPORT(run_tasks_2);
-HWY_EXPORT(run_tasks_3);
+HWY_EXPORT(make_worker_2);
+HWY_EXPORT(make_worker_3);
 
 template <>
-void subdivide_tasks<2>(const Plan<2>& plan, unsigned level, const Seed<2>* seeds, const Task* tasks, std::size_t count,
-                        unsigned stop_level, Harvest<2>& harvest)
+std::unique_ptr<Subdivider<2>> make_subdivider<2>(const Plan<2>& plan)
 {
-  HWY_DYNAMIC_DISPATCH(run_tasks_2)(plan, level, seeds, tasks, count, stop_level, harvest);
+  return HWY_DYNAMIC_DISPATCH(make_worker_2)(plan);
 }
 
 template <>
-void subdivide_tasks<3>(const Plan<3>& plan, unsigned level, const Seed<3>* seeds, const Task* tasks, std::size_t count,
-                        unsigned stop_level, Harvest<3>& harvest)
+std::unique_ptr<Subdivider<3>> make_subdivider<3>(const Plan<3>& plan)
 {
-  HWY_DYNAMIC_DISPATCH(run_tasks_3)(plan, level, seeds, tasks, count, stop_level, harvest);
+  return HWY_DYNAMIC_DISPATCH(make_worker_3)(plan);
 }
 
 } // namespace corral::fast

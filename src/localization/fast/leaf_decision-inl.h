@@ -34,7 +34,7 @@ template <std::size_t D>
 class Leaf_decision
 {
 public:
-  Leaf_decision(const Plan<D>& plan, Block_list<D>& harvest) : plan_(plan), harvest_(harvest), whole_leaves_(true)
+  explicit Leaf_decision(const Plan<D>& plan) : plan_(plan), whole_leaves_(true)
   {
     workspace_ = hwy::AllocateAligned<double>(Leaf_probe<D>::workspace_size(plan.shape));
     for (std::size_t axis = 0; axis < D; ++axis) {
@@ -43,24 +43,23 @@ public:
     }
   }
 
-  /// \throw Budget_exceeded if there are more plotted cells than `plan.cell_budget`.
-  void decide(const Leaf_batch<D>& leaves);
+  /// \throw Budget_exceeded if the harvest has more plotted cells than `plan.cell_budget`.
+  void decide(const Leaf_batch<D>& leaves, Block_list<D>& harvest);
 
 private:
-  void harvest(const Leaf_batch<D>& leaves, const Leaf_masks<D>* masks);
+  static void take(const Leaf_batch<D>& leaves, const Leaf_masks<D>* masks, Block_list<D>& harvest);
   [[nodiscard]] std::uint64_t inside(const std::array<std::uint32_t, D>& corner) const;
   [[nodiscard]] Leaf_words<D> outside(const Leaf_batch<D>& leaves, std::size_t lane) const;
 
   const Plan<D>& plan_;
-  Block_list<D>& harvest_;
   hwy::AlignedFreeUniquePtr<double[]> workspace_;
   bool whole_leaves_; // the grid is made of whole leaves
 };
 
 template <std::size_t D>
-void Leaf_decision<D>::decide(const Leaf_batch<D>& leaves)
+void Leaf_decision<D>::decide(const Leaf_batch<D>& leaves, Block_list<D>& harvest)
 {
-  if (harvest_.plotted() > plan_.cell_budget) throw_over_budget(plan_.cell_budget);
+  if (harvest.plotted() > plan_.cell_budget) throw_over_budget(plan_.cell_budget);
   const Thresholds thresholds =
       leaf_thresholds(plan_, leaves.cut.size, leaves.coefficients, load(leaves.norm), load(leaves.remainder));
   std::array<Leaf_masks<D>, batch> masks;
@@ -80,13 +79,13 @@ void Leaf_decision<D>::decide(const Leaf_batch<D>& leaves)
         probe.add(lane, b, open);
   }
   probe.finish();
-  harvest(leaves, masks.data());
+  take(leaves, masks.data(), harvest);
 }
 
 template <std::size_t D>
-void Leaf_decision<D>::harvest(const Leaf_batch<D>& leaves, const Leaf_masks<D>* masks)
+void Leaf_decision<D>::take(const Leaf_batch<D>& leaves, const Leaf_masks<D>* masks, Block_list<D>& harvest)
 {
-  Cell_block<D>* const to = harvest_.room(batch * Plan<D>::leaf_blocks + 1);
+  Cell_block<D>* const to = harvest.room(batch * Plan<D>::leaf_blocks + 1);
   std::size_t count = 0;
   std::uint64_t plotted = 0;
   for (unsigned rest = leaves.lanes; rest != 0; rest &= rest - 1) {
@@ -102,7 +101,7 @@ void Leaf_decision<D>::harvest(const Leaf_batch<D>& leaves, const Leaf_masks<D>*
       count += block.plotted != 0 ? 1 : 0; // no branch, since nobody can predict it
     }
   }
-  harvest_.keep(count, plotted);
+  harvest.keep(count, plotted);
 }
 
 /// The cells of a leaf that do not belong to the grid.

@@ -2,29 +2,42 @@
 #ifndef CORRAL_SRC_LOCALIZATION_FAST_TASKS_H
 #define CORRAL_SRC_LOCALIZATION_FAST_TASKS_H
 
-#include "Fast_plan.h"
+#include "Subdivider.h"
 
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <thread>
 #include <vector>
 
 namespace corral::fast {
 
+/// Seeds that are subdivided together; they depend on the input alone, and so does the result.
+template <std::size_t D>
+using Task = std::span<const Seed<D>>;
+
 /// \brief Seeds in tasks of up to eight of one class. \pre Seeds of one class stand side by side.
 template <std::size_t D>
-[[nodiscard]] std::vector<Task> grouped(const std::vector<Seed<D>>& seeds)
+[[nodiscard]] std::vector<Task<D>> grouped(Task<D> seeds)
 {
   constexpr std::size_t most = 8;
-  std::vector<Task> tasks;
+  std::vector<Task<D>> tasks;
   for (std::size_t s = 0; s < seeds.size(); ++s)
-    if (!tasks.empty() && tasks.back().count < most && seeds[s].cut == seeds[tasks.back().first].cut)
-      ++tasks.back().count;
+    if (!tasks.empty() && tasks.back().size() < most && seeds[s].cut == tasks.back().front().cut)
+      tasks.back() = {tasks.back().data(), tasks.back().size() + 1};
     else
-      tasks.push_back({s, 1});
+      tasks.push_back(seeds.subspan(s, 1));
   return tasks;
+}
+
+/// Subdivides seeds of one level down to `stop_level`. \pre as `grouped`.
+template <std::size_t D>
+void subdivide(const Plan<D>& plan, unsigned level, Task<D> seeds, unsigned stop_level, Harvest<D>& harvest)
+{
+  const auto subdivider = make_subdivider(plan);
+  for (const auto& task : grouped<D>(seeds)) subdivider->run(level, task, stop_level, harvest);
 }
 
 /// The number of threads to use if the user asks for so many; 0: one for each processor.
