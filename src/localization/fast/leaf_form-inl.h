@@ -80,10 +80,8 @@ public:
   template <std::size_t degree_, class Visit>
   HWY_INLINE void along_symmetric_row(const Visit& visit) const
   {
-    Octet held[degree_ + 1];
-    for (std::size_t e = 0; e <= degree_; ++e) held[e] = load(powers_ + e * batch);
     const std::size_t top = degree_ == 0 ? degree() : degree_;
-    const auto c = [&](std::size_t e) HWY_ATTR { return degree_ == 0 ? load(powers_ + e * batch) : held[e]; };
+    const auto c = [&](std::size_t e) HWY_ATTR { return load(powers_ + e * batch); };
     for (std::size_t k = 1; k <= 4; ++k) {
       const double x = 0.25 * static_cast<double>(k);
       const auto every_other = [&](std::size_t e) HWY_ATTR {
