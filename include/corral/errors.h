@@ -50,6 +50,16 @@ struct Output_error : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
+namespace detail {
+
+/// "1 side", "2 sides", for messages.
+[[nodiscard]] inline std::string quantity(std::size_t count, const std::string& noun)
+{
+  return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
+}
+
+} // namespace detail
+
 } // namespace corral
 
 #endif

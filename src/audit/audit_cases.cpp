@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "case_polynomials.h"
+
 #include <corral/number/Double_bracket.h>
 #include <corral/polynomial/arithmetic.h>
 #include <corral/polynomial/evaluate.h>
@@ -13,9 +15,6 @@
 namespace corral {
 namespace {
 
-template <std::size_t D>
-using Terms = std::vector<typename Polynomial<Rational, D>::Term>;
-
 /// A stream of its own for each purpose, seed and number, by the finaliser of SplitMix64 (Steele, Lea, Flood 2014).
 Trouble_source source_of(std::uint64_t purpose, std::uint64_t seed, std::uint64_t number)
 {
@@ -26,138 +25,6 @@ Trouble_source source_of(std::uint64_t purpose, std::uint64_t seed, std::uint64_
     return x ^ (x >> 31);
   };
   return Trouble_source(mixed(mixed(mixed(purpose) ^ seed) ^ number));
-}
-
-template <std::size_t D>
-long highest_degree()
-{
-  return D == 1 ? 9 : D == 2 ? 6 : 4;
-}
-
-/// A coefficient of the given taste.
-enum class Taste {
-  full,  ///< every bit of a double matters
-  small, ///< an integer, on which nothing is rounded: false methods show, false rounding does not
-  long_, ///< more bits than a double has
-  fraction,
-  any ///< both ends of the range of doubles
-};
-
-Taste taste_of(Trouble_source& source)
-{
-  switch (source.integer(0, 9)) {
-  case 0:
-    return Taste::small;
-  case 1:
-    return Taste::long_;
-  case 2:
-    return Taste::fraction;
-  case 3:
-    return Taste::any;
-  default:
-    return Taste::full;
-  }
-}
-
-Rational coefficient(Trouble_source& source, Taste taste)
-{
-  switch (taste) {
-  case Taste::small:
-    return source.integer(0, 1) == 0 ? source.integer(1, 9) : source.integer(-9, -1);
-  case Taste::long_:
-    return source.full_mantissa() + source.full_mantissa() * Trouble_source::scaled(1, -source.integer(40, 70));
-  case Taste::fraction:
-    return source.fraction();
-  case Taste::any:
-    return source.trouble();
-  default:
-    return source.chance(20) ? source.trouble() : source.full_mantissa();
-  }
-}
-
-template <std::size_t D>
-Polynomial<Rational, D> random_polynomial(Trouble_source& source, Taste taste)
-{
-  Terms<D> terms;
-  const long degree = source.integer(0, highest_degree<D>());
-  for (long n = source.integer(1, 8); n > 0; --n) {
-    Exponents<D> exponents;
-    for (auto& e : exponents) e = static_cast<std::uint16_t>(source.integer(0, degree));
-    terms.push_back({exponents, coefficient(source, taste)});
-  }
-  return collect<Rational, D>(std::move(terms));
-}
-
-/// c y + g(the other variables), such as y + 4x^2 - 1.
-template <std::size_t D>
-Polynomial<Rational, D> linear_in_one(Trouble_source& source, Taste taste)
-{
-  const auto axis = static_cast<std::size_t>(source.integer(0, static_cast<long>(D) - 1));
-  auto terms = random_polynomial<D>(source, taste).terms();
-  for (auto& term : terms) term.exponents[axis] = 0;
-  Exponents<D> exponents{};
-  exponents[axis] = 1;
-  terms.push_back({exponents, coefficient(source, taste)});
-  return collect<Rational, D>(std::move(terms));
-}
-
-/// Even exponents only: the terms are never negative and their least values lie inside the box.
-template <std::size_t D>
-Polynomial<Rational, D> even_powers(Trouble_source& source, Taste taste)
-{
-  auto terms = random_polynomial<D>(source, taste).terms();
-  for (auto& term : terms)
-    for (auto& e : term.exponents) e = static_cast<std::uint16_t>(e + e % 2);
-  return collect<Rational, D>(std::move(terms));
-}
-
-/// Every term has every variable, so that all derivatives but the mixed ones vanish at zero.
-template <std::size_t D>
-Polynomial<Rational, D> mixed_only(Trouble_source& source, Taste taste)
-{
-  Terms<D> terms;
-  for (long n = source.integer(1, 3); n > 0; --n) {
-    Exponents<D> exponents;
-    for (auto& e : exponents) e = static_cast<std::uint16_t>(source.integer(1, 2));
-    terms.push_back({exponents, coefficient(source, taste)});
-  }
-  return collect<Rational, D>(std::move(terms));
-}
-
-/// A power of a linear function, plus a little: on its zero set large terms cancel.
-template <std::size_t D>
-Polynomial<Rational, D> cancelling(Trouble_source& source)
-{
-  Terms<D> terms{{Exponents<D>{}, source.full_mantissa()}};
-  for (std::size_t axis = 0; axis < D; ++axis) {
-    Exponents<D> exponents{};
-    exponents[axis] = 1;
-    terms.push_back({exponents, source.integer(1, 9)});
-  }
-  const auto linear = collect<Rational, D>(std::move(terms));
-  const auto tiny = Rational(source.full_mantissa() * Trouble_source::scaled(1, -60));
-  return power(linear, static_cast<unsigned>(source.integer(2, D <= 2 ? 4 : 2))) + constant<Rational, D>(tiny);
-}
-
-template <std::size_t D>
-Polynomial<Rational, D> generated_polynomial(Trouble_source& source)
-{
-  const Taste taste = taste_of(source);
-  switch (source.integer(0, 15)) {
-  case 0:
-    return source.chance(4) ? Polynomial<Rational, D>() : constant<Rational, D>(coefficient(source, taste));
-  case 1:
-  case 2:
-    return linear_in_one<D>(source, taste);
-  case 3:
-    return even_powers<D>(source, taste);
-  case 4:
-    return mixed_only<D>(source, taste);
-  case 5:
-    return cancelling<D>(source);
-  default:
-    return random_polynomial<D>(source, taste);
-  }
 }
 
 /// The double next below `x`, or above it: no rounding is then hidden in the enclosure of the box.
@@ -177,7 +44,8 @@ Rational next_double(const Rational& x)
 Rational_interval random_side(Trouble_source& source)
 {
   const Rational centre = source.chance(3) ? Rational(0) : source.full_mantissa();
-  Rational radius = abs(source.full_mantissa()) / (Integer(1) << static_cast<unsigned>(source.integer(0, 12)));
+  const Integer share = Integer(1) << static_cast<unsigned>(source.integer(0, 12));
+  Rational radius = abs(source.full_mantissa()) / share;
   switch (source.integer(0, 15)) {
   case 0: // nothing is rounded here
     return {Rational(-1), Rational(1)};
@@ -299,7 +167,7 @@ template <std::size_t D>
 Audit_case<D> generated_case(std::uint64_t seed, std::uint64_t number)
 {
   auto source = source_of(1, seed, number);
-  Audit_case<D> result{generated_polynomial<D>(source), {}};
+  Audit_case<D> result{audit::generated_polynomial<D>(source), {}};
   const auto add = [&](const Rational_box<D>& box) { result.boxes.push_back(probed(source, result.polynomial, box)); };
   const auto whole = random_box<D>(source);
   add(part_of(source, whole)); // what a bounder remembers of a box is too narrow for the next
@@ -324,7 +192,7 @@ Audit_case<D> tightness_case(std::uint64_t seed, std::uint64_t number)
   auto source = source_of(3, seed, number);
   Audit_case<D> result{{}, {}};
   const long degree = source.integer(1, D == 1 ? 12 : D == 2 ? 8 : 4);
-  Terms<D> terms;
+  std::vector<typename Polynomial<Rational, D>::Term> terms;
   for (long n = source.integer(2, 8); n > 0; --n) {
     Exponents<D> exponents{};
     for (long left = degree; auto& e : exponents) {

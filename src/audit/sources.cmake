@@ -1,4 +1,4 @@
-target_sources(corral PRIVATE audit/audit_cases.cpp)
+target_sources(corral PRIVATE audit/audit_cases.cpp audit/case_polynomials.cpp)
 
 # Planted faults, for the program's report and the tests; no part of the library.
 add_library(corral_faults STATIC EXCLUDE_FROM_ALL

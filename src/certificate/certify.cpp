@@ -43,8 +43,8 @@ Certificate<D> start(const std::vector<Polynomial<Rational, D>>& system, const G
   if (grid.cell_count() >= max_cells)
     throw Invalid_input("certificate: the grid has 2^62 cells or more; expected fewer");
   if (system.empty() || system.size() > (D == 1 ? 1U : 2U))
-    throw Invalid_input("certificate: given " + std::to_string(system.size()) + " polynomials in " + std::to_string(D)
-                        + " dimensions; expected 1, or 2 in two or three dimensions");
+    throw Invalid_input("certificate: given " + detail::quantity(system.size(), "polynomial") + " in "
+                        + detail::quantity(D, "dimension") + "; expected 1, or 2 in two or three dimensions");
   Certificate<D> result{{}, grid};
   for (const auto& f : system) {
     if (f.is_zero())

@@ -152,6 +152,7 @@ public:
   [[nodiscard]] std::vector<std::uint64_t> operator()(const std::vector<Element>& values) const
   {
     std::vector<mp_limb_t> residues;
+    residues.reserve(values.size());
     for (const Element value : values) residues.push_back(field_.residue(value));
     std::vector<mp_limb_t> result(values.size());
     _nmod_poly_interpolate_nmod_vec_fast_precomp(result.data(), residues.data(), tree_, weights_.data(), length_,

@@ -194,6 +194,7 @@ std::vector<Rational_box<3>> Extreme_points::boxes_with_zero(const Forms& forms,
     live = std::move(kept);
   }
   std::vector<Rational_box<3>> result;
+  result.reserve(live.size());
   for (const Piece& piece : live) result.push_back(piece.box);
   return result;
 }

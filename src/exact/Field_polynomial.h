@@ -66,7 +66,9 @@ template <class Field>
 template <class Field>
 void make_monic(const Field& field, Polynomial_over<Field>& p)
 {
-  if (p.back() != field.one()) p = scaled(field, std::move(p), field.inverse(p.back()));
+  if (p.back() == field.one()) return;
+  const auto inverse = field.inverse(p.back());
+  p = scaled(field, std::move(p), inverse);
 }
 
 /// The monic greatest common divisor. \pre Not both are zero.

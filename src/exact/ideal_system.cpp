@@ -24,12 +24,13 @@ System_decider<D>::System_decider(const std::vector<Polynomial<Rational, D>>& sy
                                   Checkpoint checkpoint, Witnesses witnesses)
 {
   if (system.empty() || system.size() > 2)
-    throw Invalid_input("exact decision: a system of " + std::to_string(system.size())
-                        + " polynomials; expected one or two");
+    throw Invalid_input("exact decision: a system of " + detail::quantity(system.size(), "polynomial")
+                        + "; expected one or two");
   for (const auto& f : system)
     if (f.is_zero())
       throw Invalid_input("exact decision: a polynomial of the system is zero; expected none that vanishes everywhere");
   std::vector<exact::Bernstein_form<D>> forms;
+  forms.reserve(system.size());
   for (const auto& f : system)
     forms.push_back(exact::dense_power_form(exact::in_grid_coordinates(integer_primitive(f), grid)));
   state_ = std::make_unique<State>(

@@ -18,7 +18,7 @@ std::string quoted(std::string_view text)
   std::string shown(text.substr(0, longest));
   std::replace_if(
       shown.begin(), shown.end(), [](unsigned char c) { return c < ' ' || c > '~'; }, '?');
-  return '"' + shown + (text.size() > longest ? "..." : "") + '"';
+  return '\'' + shown + (text.size() > longest ? "..." : "") + '\'';
 }
 
 bool is_digit(char c, int base)
@@ -137,7 +137,7 @@ private:
   [[noreturn]] void fail(const std::string& expected) const
   {
     throw Parse_error(
-        "number: given " + quoted(text_) + "; expected " + expected + " at position " + std::to_string(at_), at_);
+        "number: given " + quoted(text_) + "; expected " + expected + " at column " + std::to_string(at_ + 1), at_);
   }
 
   std::string_view text_;

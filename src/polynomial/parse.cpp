@@ -4,6 +4,7 @@
 #include <corral/polynomial/parse.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 namespace corral {
@@ -23,6 +24,16 @@ std::string escaped(char c)
   static constexpr char digits[] = "0123456789abcdef";
   const auto byte = static_cast<unsigned char>(c);
   return {'\\', 'x', digits[byte / 16], digits[byte % 16]};
+}
+
+// What a word of this one character is, if it is any.
+std::optional<Token::Kind> kind_of_mark(char c)
+{
+  constexpr std::string_view marks = "+-*/^()";
+  constexpr Token::Kind kinds[] = {Token::plus,  Token::minus, Token::times, Token::slash,
+                                   Token::caret, Token::open,  Token::close};
+  const auto found = marks.find(c);
+  return found == std::string_view::npos ? std::nullopt : std::optional(kinds[found]);
 }
 
 } // namespace
@@ -50,42 +61,30 @@ void Polynomial_lexer::advance()
 {
   std::size_t begin = token_.position + token_.text.size();
   while (is_space(at(begin))) ++begin;
-  token_ = {Token::end, text_.substr(std::min(begin, text_.size()), 1), begin};
+  token_ = {Token::end, {}, begin};
   if (begin == text_.size()) return;
-  switch (const char c = at(begin)) {
-  case '+':
-    token_.kind = Token::plus;
-    break;
-  case '-':
-    token_.kind = Token::minus;
-    break;
-  case '*':
-    token_.kind = Token::times;
-    break;
-  case '/':
-    token_.kind = Token::slash;
-    break;
-  case '^':
-    token_.kind = Token::caret;
-    break;
-  case '(':
-    token_.kind = Token::open;
-    break;
-  case ')':
-    token_.kind = Token::close;
-    break;
-  default:
-    std::size_t end = begin;
-    if (is_digit(c) || (c == '.' && is_digit(at(begin + 1)))) {
-      token_.kind = Token::number;
-      end = end_of_number(begin);
-    } else if (is_letter(c)) {
-      token_.kind = Token::name;
-      while (is_letter(at(end)) || is_digit(at(end))) ++end;
-    } else
-      fail(std::string("a polynomial is ASCII text without '") + escaped(c) + "'", begin);
-    token_.text = text_.substr(begin, end - begin);
-  }
+  const char c = at(begin);
+  std::size_t end = begin + 1;
+  if (is_digit(c) || (c == '.' && is_digit(at(end)))) {
+    token_.kind = Token::number;
+    end = end_of_number(begin);
+  } else if (is_letter(c)) {
+    token_.kind = Token::name;
+    while (is_letter(at(end)) || is_digit(at(end))) ++end;
+    refuse_call(begin, end);
+  } else if (const auto mark = kind_of_mark(c))
+    token_.kind = *mark;
+  else if (c == '=')
+    fail("an equation; expected a polynomial, as x - y for x = y", begin);
+  else
+    fail(std::string("a polynomial is ASCII text without '") + escaped(c) + "'", begin);
+  token_.text = text_.substr(begin, end - begin);
+}
+
+void Polynomial_lexer::refuse_call(std::size_t begin, std::size_t end) const
+{
+  while (is_space(at(end))) ++end;
+  if (at(end) == '(') fail("implicit product or function; expected * before the (", begin);
 }
 
 std::size_t Polynomial_lexer::end_of_number(std::size_t begin) const

@@ -165,8 +165,8 @@ private:
   {
     const auto value = number(field);
     if (!value || !(*value >= 0 && *value < resolution_[axis]) || *value != static_cast<std::uint32_t>(*value))
-      file_.fail_in_line("given " + excerpt(field) + "; expected an index of axis " + std::to_string(axis)
-                         + ", a whole number from 0 to " + std::to_string(resolution_[axis] - 1));
+      file_.fail_in_line("given " + excerpt(field) + "; expected " + "ijkl"[axis] + ", a whole number from 0 to "
+                         + std::to_string(resolution_[axis] - 1));
     return static_cast<std::uint32_t>(*value);
   }
 

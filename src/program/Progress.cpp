@@ -5,7 +5,6 @@
 #include <csignal>
 #include <cstdio>
 #include <unistd.h>
-#include <utility>
 
 namespace corral::program {
 
@@ -48,7 +47,8 @@ bool Progress::operator()(double done)
   const std::string bar =
       std::string(static_cast<std::size_t>(full), '#') + std::string(std::size_t(width - full), '.');
   const double seconds = std::chrono::duration<double>(now - start_).count();
-  std::fprintf(stderr, "\r\033[K%s [%s] %3.0f%%  %.0f s", what_.c_str(), bar.c_str(), 100 * done, seconds);
+  const std::string name = what_ + (part_.empty() ? "" : ": " + part_);
+  std::fprintf(stderr, "\r\033[K%s [%s] %3.0f%%  %.0f s", name.c_str(), bar.c_str(), 100 * done, seconds);
   std::fflush(stderr);
   return true;
 }

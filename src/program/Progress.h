@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <string>
+#include <utility>
 
 namespace corral::program {
 
@@ -17,17 +18,22 @@ void install_signal_handlers();
 class Progress
 {
 public:
+  /// \param what  the work, which the bar names.
   explicit Progress(std::string what);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Shows the part done (0 to 1); `false` if the user wants to stop.
+  /// Names the part of the work that begins.
+  void begins(std::string part) { part_ = std::move(part); }
+
+  /// Shows how much is done (0 to 1); `false` if the user wants to stop.
   bool operator()(double done);
 
 private:
   using Clock = std::chrono::steady_clock;
   std::string what_;
+  std::string part_;
   bool is_terminal_;
   bool is_shown_ = false;
   Clock::time_point start_ = Clock::now();

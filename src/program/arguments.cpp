@@ -56,7 +56,7 @@ std::string read_all(std::istream& in, const std::string& name)
 Rational_interval read_side(const std::string& text, std::size_t axis)
 {
   const auto ends = split(text, ':');
-  const std::string who = "box: side " + std::to_string(axis) + " is '" + text + "'; expected LOWER:UPPER";
+  const std::string who = "box: side " + std::to_string(axis + 1) + " is '" + text + "'; expected LOWER:UPPER";
   if (ends.size() != 2) throw Invalid_input(who + ", as in -1:1/2");
   try {
     Rational lower = parse_rational(ends[0]);
@@ -65,6 +65,16 @@ Rational_interval read_side(const std::string& text, std::size_t axis)
     return {std::move(lower), std::move(upper)};
   } catch (const Parse_error&) {
     throw Invalid_input(who + " with finite numbers, as in -1:1/2 or 0.25:1e3");
+  }
+}
+
+void require_variable_names(const std::vector<std::string>& names)
+{
+  for (auto name = names.begin(); name != names.end(); ++name) {
+    if (!detail::is_variable_name(*name))
+      throw Invalid_input("variables: given '" + *name + "'; expected a letter or _, then letters, digits or _");
+    if (std::find(names.begin(), name, *name) != name)
+      throw Invalid_input("variables: given '" + *name + "' twice; expected different names");
   }
 }
 
@@ -95,23 +105,24 @@ Space read_space(const std::string& box, const std::string& variables, const std
   Space space;
   const auto sides = split(box, ',');
   if (sides.size() > max_dimension)
-    throw Invalid_input("box: given " + std::to_string(sides.size()) + " sides; expected 1 to "
+    throw Invalid_input("box: given " + detail::quantity(sides.size(), "side") + "; expected 1 to "
                         + std::to_string(max_dimension));
   for (std::size_t axis = 0; axis < sides.size(); ++axis) space.sides.push_back(read_side(sides[axis], axis));
 
   if (!trimmed(variables).empty()) {
     space.variables = split(variables, ',');
     if (space.variables.size() != sides.size())
-      throw Invalid_input("variables: given " + joined(space.variables) + "; expected " + std::to_string(sides.size())
-                          + " names, one for each side of the box");
+      throw Invalid_input("variables: given " + joined(space.variables) + "; expected "
+                          + detail::quantity(sides.size(), "name") + ", one for each side of the box");
+    require_variable_names(space.variables);
     return space;
   }
   std::set<std::string> names;
   for (const auto& polynomial : polynomials)
     for (auto& name : variables_in(polynomial)) names.insert(std::move(name));
   if (names.size() > sides.size())
-    throw Invalid_input("box: given " + std::to_string(sides.size()) + " sides; expected one for each of the variables "
-                        + joined({names.begin(), names.end()}));
+    throw Invalid_input("box: given " + detail::quantity(sides.size(), "side")
+                        + "; expected one for each of the variables " + joined({names.begin(), names.end()}));
   name_further_axes(names, sides.size());
   space.variables.assign(names.begin(), names.end());
   return space;
@@ -131,8 +142,9 @@ std::vector<std::uint32_t> read_resolution(const std::string& text, std::size_t 
   }
   if (result.size() == 1) result.resize(dimension, result[0]);
   if (result.size() != dimension)
-    throw Invalid_input("resolution: given " + std::to_string(result.size()) + " numbers; expected 1 or "
-                        + std::to_string(dimension) + ", one for each side of the box");
+    throw Invalid_input(
+        "resolution: given " + detail::quantity(result.size(), "number") + "; expected 1"
+        + (dimension == 1 ? "" : " or " + std::to_string(dimension) + ", one for each side of the box"));
   return result;
 }
 

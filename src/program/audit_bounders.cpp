@@ -4,12 +4,15 @@
 #include "arguments.h"
 #include "commands.h"
 #include "files.h"
+#include "whole_number.h"
 
 #include <corral/bounders/all.h>
 #include <corral/number/all.h>
 #include <corral/output/Output_file.h>
 
 #include <algorithm>
+#include <iostream>
+#include <limits>
 #include <memory>
 
 namespace corral::program {
@@ -54,6 +57,7 @@ std::vector<audit::Fault_finding> plant_faults(std::uint64_t seed, std::uint64_t
   options.seed = seed;
   options.cases = cases;
   options.progress = [&](double) { return progress(0); };
+  progress.begins("planted faults");
   auto findings = audit::seed_faults(options);
   if (interrupted_by() != 0) throw Cancelled("audit bounders");
   return findings;
@@ -69,6 +73,7 @@ Bounder_report audit_all(const Audit_settings& settings, std::uint64_t fault_cas
   double share = 0;
   const auto step = [&](double done) { return progress((share + done) / shares); };
   for (const auto& number : settings.numbers) {
+    progress.begins(number);
     const auto audits =
         Number_types::visit(number, [&]<class I>(std::type_identity<I>) { return audit_over<I>(settings, step); });
     report.audits.insert(report.audits.end(), audits.begin(), audits.end());
@@ -87,9 +92,50 @@ void bounders_command(const Bounders_arguments& arguments)
     write_whole_file(path, [&](std::ostream& out) {
       (has_ending(path, ".json") ? write_bounder_json : write_bounder_html)(out, report);
     });
-  print_whole(
-      [&](std::ostream& out) { (arguments.format == "json" ? write_bounder_json : write_bounder_text)(out, report); });
+  (arguments.format == "json" ? write_bounder_json : write_bounder_text)(std::cout, report);
   if (!is_sound(report)) throw CLI::RuntimeError(1);
+}
+
+void add_subjects(CLI::App& command, Audit_settings& settings)
+{
+  command.add_option("--bounder", settings.bounders, "bounders, separated by commas; see corral list")
+      ->delimiter(',')
+      ->default_str("all");
+  command.add_option("--number", settings.numbers, "number types, separated by commas; see corral list")
+      ->delimiter(',')
+      ->default_str("all");
+  command.add_option("--order", settings.orders, "orders of recursive Taylor expansion, 1 to 16, separated by commas")
+      ->delimiter(',')
+      ->check(whole_number(1, 16))
+      ->default_str("1,2,3,4");
+  command.add_option("--dimension", settings.dimensions, "numbers of variables, 1 to 3, separated by commas")
+      ->delimiter(',')
+      ->check(whole_number(1, 3))
+      ->default_str("1,2,3");
+  command.add_option("--precision", settings.precision, "bits of number type mpfr")
+      ->check(whole_number(1))
+      ->capture_default_str();
+}
+
+void add_cases(CLI::App& command, Bounders_arguments& arguments)
+{
+  Audit_settings& settings = arguments.settings;
+  command.add_option("--seed", settings.seed, "of all cases; the same seed gives the same report")
+      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
+  command.add_option("--cases", settings.cases, "generated polynomials for each method and dimension")
+      ->check(whole_number(1, 1'000'000'000))
+      ->capture_default_str();
+  command
+      .add_option("--paper-cases", settings.paper_cases, "cases on the paper's examples for each method and dimension")
+      ->check(whole_number(0, 1'000'000'000))
+      ->capture_default_str();
+  command.add_option("--tightness-cases", settings.tightness_cases, "boxes on which the exact range is computed")
+      ->check(whole_number(0, 1'000'000))
+      ->capture_default_str();
+  command.add_option("--fault-cases", arguments.fault_cases, "cases to find each planted fault; 0 plants none")
+      ->check(whole_number(0, 1'000'000'000))
+      ->capture_default_str();
 }
 
 } // namespace
@@ -97,41 +143,12 @@ void bounders_command(const Bounders_arguments& arguments)
 void add_audit_bounders(CLI::App& audit)
 {
   const auto arguments = std::make_shared<Bounders_arguments>();
-  Audit_settings& settings = arguments->settings;
-  settings.orders = {1, 2, 3, 4};
-  settings.dimensions = {1, 2, 3};
+  arguments->settings.orders = {1, 2, 3, 4};
+  arguments->settings.dimensions = {1, 2, 3};
   CLI::App* const command =
       audit.add_subcommand("bounders", "Compare the bounds of every method and number type with exact values");
-  command->add_option("--bounder", settings.bounders, "bounders, separated by commas; see corral list")
-      ->delimiter(',')
-      ->default_str("all");
-  command->add_option("--number", settings.numbers, "number types, separated by commas; see corral list")
-      ->delimiter(',')
-      ->default_str("all");
-  command->add_option("--order", settings.orders, "orders of Taylor methods, separated by commas")
-      ->delimiter(',')
-      ->check(CLI::Range(1U, 16U))
-      ->capture_default_str();
-  command->add_option("--dimension", settings.dimensions, "numbers of variables, 1 to 3, separated by commas")
-      ->delimiter(',')
-      ->check(CLI::Range(1U, 3U))
-      ->capture_default_str();
-  command->add_option("--seed", settings.seed, "of all cases; the same seed gives the same report")
-      ->capture_default_str();
-  command->add_option("--cases", settings.cases, "generated polynomials for each method and dimension")
-      ->check(CLI::Range(1U, 1'000'000'000U))
-      ->capture_default_str();
-  command
-      ->add_option("--paper-cases", settings.paper_cases, "cases on the paper's examples for each method and dimension")
-      ->check(CLI::Range(0U, 1'000'000'000U))
-      ->capture_default_str();
-  command->add_option("--tightness-cases", settings.tightness_cases, "boxes on which the exact range is computed")
-      ->check(CLI::Range(0U, 1'000'000U))
-      ->capture_default_str();
-  command->add_option("--fault-cases", arguments->fault_cases, "cases to find each planted fault; 0 plants none")
-      ->check(CLI::Range(0U, 1'000'000'000U))
-      ->capture_default_str();
-  command->add_option("--precision", settings.precision, "bits of number type mpfr")->capture_default_str();
+  add_subjects(*command, arguments->settings);
+  add_cases(*command, *arguments);
   command->add_option("--output", arguments->outputs, "report to write, .json or .html; may be repeated")
       ->take_all()
       ->expected(1);

@@ -6,11 +6,13 @@
 #include "engine.h"
 #include "exact_engine.h"
 #include "files.h"
+#include "whole_number.h"
 
 #include <corral/output/Output_file.h>
 
 #include <algorithm>
 #include <iostream>
+#include <limits>
 #include <memory>
 
 namespace corral::program {
@@ -38,7 +40,9 @@ Ideal_raster<D> truth(const std::vector<Polynomial<Rational, D>>& system, const 
   if constexpr (D == 1) settings.engine = "paper"; // the fast one is of 2 and 3 dimensions
   settings.max_cells = max_cells;
   settings.progress = [&](double done) { return progress(share * done); };
+  progress.begins("fast engine");
   const auto found = localize_by_name<D>(system, grid, settings);
+  progress.begins("exact decision");
   auto raster =
       decide_exactly<D>(system, grid, found.cells, {[&](double done) { return progress(share + (1 - share) * done); }});
   if (interrupted_by() != 0) throw Cancelled("audit raster");
@@ -55,12 +59,10 @@ void report(const Raster_arguments& arguments, const Raster_audit<D>& audit, Evi
       else
         write_raster_html(out, audit, evidence, arguments.reporting);
     });
-  print_whole([&](std::ostream& out) {
-    if (arguments.format == "json")
-      write_raster_json(out, audit, evidence);
-    else
-      write_raster_text(out, audit, evidence, arguments.reporting);
-  });
+  if (arguments.format == "json")
+    write_raster_json(std::cout, audit, evidence);
+  else
+    write_raster_text(std::cout, audit, evidence, arguments.reporting);
 }
 
 template <std::size_t D>
@@ -68,8 +70,8 @@ void audit_in(const Raster_arguments& arguments, const Grid_problem<D>& problem)
 {
   const auto& system = problem.system;
   if (system.size() > (D == 1 ? 1 : 2))
-    throw Invalid_input("audit raster: given " + std::to_string(system.size()) + " polynomials in " + std::to_string(D)
-                        + " dimensions; expected 1, or 2 in 2 or 3 dimensions");
+    throw Invalid_input("audit raster: given " + detail::quantity(system.size(), "polynomial") + " in "
+                        + detail::quantity(D, "dimension") + "; expected 1, or 2 in 2 or 3 dimensions");
   Raster_audit<D> audit{problem.grid, {}, problem.texts, arguments.cells, 0, {}};
   std::copy_n(problem.variables.begin(), D, audit.variables.begin());
   Raster_options reading = arguments.reading;
@@ -113,8 +115,12 @@ void add_audit_raster(CLI::App& audit)
   command->add_option("--cells", arguments->cells, "the raster: a table (CSV) or, in two dimensions, a PNG picture")
       ->required();
   command->add_flag("--invert", arguments->reading.invert, "the picture is light on dark");
-  command->add_option("--list", arguments->reporting.list, "cells of each kind to list")->capture_default_str();
-  command->add_option("--max-cells", arguments->max_cells, "fail when more cells are plotted")->capture_default_str();
+  command->add_option("--list", arguments->reporting.list, "cells of each kind to list")
+      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
+  command->add_option("--max-cells", arguments->max_cells, "fail when more cells are plotted")
+      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
   command->add_option("--output", arguments->outputs, "report to write, .json (every cell) or .html; may be repeated")
       ->take_all()
       ->expected(1);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "bound_over.h"
 #include "commands.h"
-#include "files.h"
-#include "whole_number.h"
+#include "method_options.h"
 
 #include <corral/bounders/all.h>
 #include <corral/number/all.h>
 
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 namespace corral::program {
@@ -20,7 +20,7 @@ struct Bound_arguments
   std::string polynomial;
   std::string box;
   std::string variables;
-  std::string point;
+  std::optional<std::string> point;
   Method method;
 };
 
@@ -31,14 +31,18 @@ std::vector<Rational> read_point(const std::string& text, const Space& space)
   std::istringstream in(text);
   for (std::string coordinate; std::getline(in, coordinate, ',');) {
     coordinate.erase(0, coordinate.find_first_not_of(' '));
-    point.push_back(parse_rational(coordinate));
+    try {
+      point.push_back(parse_rational(coordinate));
+    } catch (const Parse_error& error) {
+      throw Invalid_input(std::string("at: ") + error.what());
+    }
   }
   if (point.size() != space.sides.size())
-    throw Invalid_input("at: given " + std::to_string(point.size()) + " coordinates; expected "
+    throw Invalid_input("at: given " + detail::quantity(point.size(), "coordinate") + "; expected "
                         + std::to_string(space.sides.size()) + ", one for each side of the box");
   for (std::size_t axis = 0; axis < point.size(); ++axis)
     if (!contains(space.sides[axis], point[axis]))
-      throw Invalid_input("at: coordinate " + std::to_string(axis) + " is " + to_string(point[axis])
+      throw Invalid_input("at: coordinate " + std::to_string(axis + 1) + " is " + to_string(point[axis])
                           + "; expected a point of the box");
   return point;
 }
@@ -66,11 +70,11 @@ void bound_command(const Bound_arguments& arguments)
   const Method& method = arguments.method;
   const std::string text = polynomial_text(arguments.polynomial);
   Bound_problem problem{read_space(arguments.box, arguments.variables, {text}), text, method, {}};
-  if (!arguments.point.empty()) problem.point = read_point(arguments.point, problem.space);
+  if (arguments.point) problem.point = read_point(*arguments.point, problem.space);
   const Mpfr_precision_scope precision(method.precision);
   const auto answer =
       Number_types::visit(method.number, [&]<class I>(std::type_identity<I>) { return bound_over<I>(problem); });
-  print_whole([&](std::ostream&) { print(answer, method.number); });
+  print(answer, method.number);
   if (answer.at_point && !answer.at_point->is_contained) throw CLI::RuntimeError(1);
 }
 
@@ -87,15 +91,7 @@ void add_bound(CLI::App& app)
                    "LOWER:UPPER for each axis, separated by commas, such as -1:1,0:3/2; a side may be a point, 1:1")
       ->required();
   command->add_option("--variables", arguments->variables, "names of the axes in order (else alphabetical)");
-  Method& method = arguments->method;
-  command->add_option("--bounder", method.bounder, "how ranges are bounded; see corral list")->capture_default_str();
-  command->add_option("--order", method.order, "order of a Taylor method")
-      ->check(whole_number(1))
-      ->capture_default_str();
-  command->add_option("--number", method.number, "number type; see corral list")->capture_default_str();
-  command->add_option("--precision", method.precision, "bits of number type mpfr")
-      ->check(whole_number(1))
-      ->capture_default_str();
+  add_method_options(*command, arguments->method);
   command->add_option("--at", arguments->point,
                       "X,Y,...: a point of the box; says whether the bound contains the exact value there");
   command->footer("Prints the interval exactly, as fractions or hexadecimal floats, and in decimals rounded outward.\n"

@@ -12,19 +12,19 @@ namespace {
 
 template <std::size_t D>
 Localization<D> fast(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
-                        const Localize_settings& settings)
+                     const Localize_settings& settings)
 {
   if constexpr (D == 2 || D == 3) {
     const Fast_options options{
         .threads = settings.threads, .cell_budget = settings.max_cells, .progress = settings.progress};
     return system.size() == 1 ? localize_fast<D>(system[0], grid, options) : localize_fast<D>(system, grid, options);
   } else
-    throw Invalid_input("engine fast: given " + std::to_string(D) + " dimensions; expected 2 or 3");
+    throw Invalid_input("engine fast: given " + detail::quantity(D, "dimension") + "; expected 2 or 3");
 }
 
 template <std::size_t D>
 Localization<D> paper(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
-                         Localize_settings settings)
+                      Localize_settings settings)
 {
   if (settings.method.number == "counted") { // the name in the list of number types
     settings.method.number = Interval_traits<Outward_interval>::name;
@@ -43,7 +43,7 @@ Localization<D> paper(const std::vector<Polynomial<Rational, D>>& system, const 
 
 template <std::size_t D>
 Localization<D> localize_by_name(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
-                                    const Localize_settings& settings)
+                                 const Localize_settings& settings)
 {
   if (settings.engine != "fast" && settings.engine != "paper")
     throw Invalid_input("engine: given '" + settings.engine + "'; expected fast or paper");
@@ -51,8 +51,8 @@ Localization<D> localize_by_name(const std::vector<Polynomial<Rational, D>>& sys
 }
 
 #define CORRAL_INSTANTIATE(D)                                                                                          \
-  template Localization<D> localize_by_name<D>(const std::vector<Polynomial<Rational, D>>&, const Grid<D>&,         \
-                                                  const Localize_settings&);
+  template Localization<D> localize_by_name<D>(const std::vector<Polynomial<Rational, D>>&, const Grid<D>&,            \
+                                               const Localize_settings&);
 CORRAL_INSTANTIATE(1)
 CORRAL_INSTANTIATE(2)
 CORRAL_INSTANTIATE(3)

@@ -21,8 +21,9 @@ Ideal_raster<D> decide_exactly(const std::vector<Polynomial<Rational, D>>& syste
     if (system.size() == 1) return ideal_raster<D>(system.front(), grid, cells, options);
   if constexpr (D == 2 || D == 3)
     if (system.size() == 2) return ideal_raster<D>(system, grid, cells, options);
-  throw Invalid_input("exact: given " + std::to_string(system.size()) + " polynomials in " + std::to_string(D)
-                      + " dimensions; expected 1 in 1 to 3 dimensions, or 2 in 2 or 3 dimensions");
+  throw Invalid_input("exact: given " + detail::quantity(system.size(), "polynomial") + " in "
+                      + detail::quantity(D, "dimension")
+                      + "; expected 1 in 1 to 3 dimensions, or 2 in 2 or 3 dimensions");
 }
 
 #define CORRAL_INSTANTIATE(D)                                                                                          \

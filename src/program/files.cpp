@@ -31,11 +31,4 @@ void flush_standard_output()
     throw Output_error(std::string("output: cannot write standard output: ") + std::strerror(errno != 0 ? errno : EIO));
 }
 
-void print_whole(const std::function<void(std::ostream&)>& print)
-{
-  errno = 0;
-  print(std::cout);
-  flush_standard_output();
-}
-
 } // namespace corral::program

@@ -2,9 +2,7 @@
 #ifndef CORRAL_PROGRAM_FILES_H
 #define CORRAL_PROGRAM_FILES_H
 
-#include <functional>
 #include <initializer_list>
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -18,10 +16,6 @@ void require_endings(const std::vector<std::string>& paths, std::initializer_lis
 
 /// Sends off what was printed. \throw Output_error if any of it could not be written.
 void flush_standard_output();
-
-/// \brief Calls `print` on standard output.
-/// \throw Output_error if not everything could be written.
-void print_whole(const std::function<void(std::ostream&)>& print);
 
 } // namespace corral::program
 

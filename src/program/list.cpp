@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "commands.h"
-#include "files.h"
 
 #include <corral/bounders/all.h>
 #include <corral/number/all.h>
@@ -9,7 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <iomanip>
-#include <ostream>
+#include <iostream>
 #include <string>
 #include <string_view>
 
@@ -86,7 +85,7 @@ void add_list(CLI::App& app)
 {
   CLI::App* const command = app.add_subcommand("list", "List bounders, number types and kinds of output files");
   command->footer("The names are values of --bounder and --number, the endings those of files for --output.");
-  command->callback([] { print_whole(print_lists); });
+  command->callback([] { print_lists(std::cout); });
 }
 
 } // namespace corral::program

@@ -4,6 +4,7 @@
 #include "commands.h"
 #include "engine.h"
 #include "exact_engine.h"
+#include "method_options.h"
 #include "whole_number.h"
 
 #include <corral/output/all.h>
@@ -129,38 +130,55 @@ Cell_notes notes(const std::vector<Decided_cell<D>>& decided)
   return result;
 }
 
+// The settings that the options and the dimension make.
+Localize_settings settings_for(std::size_t dimension, const Localize_arguments& arguments)
+{
+  Localize_settings settings = arguments.settings;
+  settings.refine = settings.refine || arguments.plus;
+  settings.sample = settings.sample || arguments.plus;
+  if (!arguments.names_engine && (dimension < 2 || dimension > 3)) { // the fast engine is of 2 and 3 dimensions
+    settings.engine = "paper";
+    settings.sample = settings.sample || arguments.paper_options.empty(); // the fast one proves hits, too
+  }
+  return settings;
+}
+
+// One run of the engine and, if asked for, of the exact decision.
+template <std::size_t D>
+Outcome<D> run_once(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+                    const std::vector<std::string>& texts, const Localize_settings& settings,
+                    const Localize_arguments& arguments, Progress& progress)
+{
+  const Method& method = settings.method;
+  progress.begins(settings.engine == "fast" ? "fast engine" : method.bounder + " over " + method.number);
+  auto answer = localize_by_name<D>(system, grid, settings);
+  Outcome<D> outcome{std::move(answer.cells), facts(texts, settings, answer.counters, answer.is_guaranteed), {}};
+  if (!arguments.exact) return outcome;
+  if (!answer.is_guaranteed)
+    throw Invalid_input("exact: number type " + method.number + " may have lost cells; expected a guaranteed one");
+  progress.begins("exact decision");
+  auto raster =
+      decide_exactly<D>(system, grid, outcome.cells, {settings.progress, settings.threads, writes_rungs(arguments)});
+  outcome.cells = std::move(raster.cells);
+  outcome.decided = std::move(raster.decided);
+  const Facts more = exact_facts(raster.rungs, raster.reasons);
+  outcome.facts.insert(outcome.facts.end(), more.begin(), more.end());
+  return outcome;
+}
+
 template <std::size_t D>
 Outcome<D> compute(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
                    const std::vector<std::string>& texts, const Localize_arguments& arguments)
 {
   Progress progress("localize");
-  Localize_settings settings = arguments.settings;
-  settings.refine = settings.refine || arguments.plus;
-  settings.sample = settings.sample || arguments.plus;
-  if (!arguments.names_engine && (D < 2 || D > 3)) { // the fast engine is of 2 and 3 dimensions
-    settings.engine = "paper";
-    settings.sample = settings.sample || arguments.paper_options.empty(); // the fast one proves hits, too
-  }
+  Localize_settings settings = settings_for(D, arguments);
   settings.progress = [&](double done) { return progress(done); };
   Outcome<D> outcome;
   std::vector<double> seconds;
   while (seconds.size() < arguments.repeat && interrupted_by() == 0) {
     const auto start = std::chrono::steady_clock::now();
-    auto answer = localize_by_name<D>(system, grid, settings);
-    outcome.facts = facts(texts, settings, answer.counters, answer.is_guaranteed);
-    if (arguments.exact) {
-      if (!answer.is_guaranteed)
-        throw Invalid_input("exact: number type " + settings.method.number
-                            + " may have lost cells; expected a guaranteed one");
-      auto raster =
-          decide_exactly<D>(system, grid, answer.cells, {settings.progress, settings.threads, writes_rungs(arguments)});
-      answer.cells = std::move(raster.cells);
-      outcome.decided = std::move(raster.decided);
-      const Facts more = exact_facts(raster.rungs, raster.reasons);
-      outcome.facts.insert(outcome.facts.end(), more.begin(), more.end());
-    }
+    outcome = run_once<D>(system, grid, texts, settings, arguments, progress);
     seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    outcome.cells = std::move(answer.cells);
   }
   if (seconds.empty() || (!arguments.exact && interrupted_by() != 0)) throw Cancelled("localize");
   const Facts times = time_facts(std::move(seconds));
@@ -205,6 +223,49 @@ std::vector<std::string> paper_options(const CLI::App& command)
   return given;
 }
 
+void add_engine_options(CLI::App& command, Localize_arguments& arguments)
+{
+  Localize_settings& settings = arguments.settings;
+  add_method_options(command, settings.method);
+  command.add_option("--engine", settings.engine, "fast: Taylor forms in doubles; paper: the subdivision of the paper")
+      ->check(CLI::IsMember({"fast", "paper"}))
+      ->default_str("fast; paper where one of its options is given");
+  command
+      .add_option("--threads", settings.threads, "threads of the fast engine and of --exact; 0: one for each processor")
+      ->check(whole_number(0, 1024))
+      ->capture_default_str();
+  command
+      .add_option("--repeat", arguments.repeat,
+                  "run the computation so many times; the summary says the least and the median time")
+      ->check(whole_number(1))
+      ->capture_default_str();
+  command.add_flag("--exact", arguments.exact,
+                   "decide every cell exactly: one polynomial in 1 to 3 variables, or two in 2 or 3");
+  command.add_flag("--sample", settings.sample, "look for a change of sign at the corners of a cell");
+  command.add_flag("--refine", settings.refine, "cut each remaining cell once more before it is plotted");
+  command.add_flag("--plus", arguments.plus, "--sample and --refine: the paper's RT++ and MAA++");
+  command.add_flag("--count", settings.count, "count additions and multiplications (paper's engine)");
+  command.add_option("--max-cells", settings.max_cells, "fail when more cells would be plotted")
+      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
+}
+
+void add_output_options(CLI::App& command, Localize_arguments& arguments)
+{
+  command.add_option("--output", arguments.outputs, "file to write, of a kind told by its ending; may be repeated")
+      ->take_all()
+      ->expected(1);
+  command.add_option("--format", arguments.format, "what to print: csv, json, text, or summary (a line of JSON)")
+      ->check(CLI::IsMember({"csv", "json", "text", "summary"}))
+      ->default_str("summary");
+  command.add_flag("--rungs", arguments.rungs, "a last column of CSV with the step that decided each cell")
+      ->needs("--exact");
+  command.add_option("--size", arguments.size, "longer side of pictures in pixels")
+      ->check(whole_number(64, 8192))
+      ->capture_default_str();
+  command.add_flag("--plain", arguments.plain, "pictures show hit and unknown cells alike, as in the paper");
+}
+
 } // namespace
 
 void add_localize(CLI::App& app)
@@ -214,50 +275,8 @@ void add_localize(CLI::App& app)
   add_grid_options(*command, arguments->problem,
                    "polynomial, such as 'x^2 + y^2 - 1/4'; @FILE reads it from a file, @- from standard input.\n"
                    "With several, cells where all may vanish together are found.");
-  Localize_settings& settings = arguments->settings;
-  command->add_option("--bounder", settings.method.bounder, "how ranges are bounded; see corral list")
-      ->capture_default_str();
-  command->add_option("--order", settings.method.order, "order of the recursive Taylor method")
-      ->check(whole_number(1))
-      ->capture_default_str();
-  command->add_option("--number", settings.method.number, "number type; see corral list")->capture_default_str();
-  command->add_option("--precision", settings.method.precision, "bits of number type mpfr")
-      ->check(whole_number(1))
-      ->capture_default_str();
-  command->add_option("--engine", settings.engine, "fast: Taylor forms in doubles; paper: the subdivision of the paper")
-      ->check(CLI::IsMember({"fast", "paper"}))
-      ->default_str("fast; paper where one of its options is given");
-  command
-      ->add_option("--threads", settings.threads,
-                   "threads of the fast engine and of --exact; 0: one for each processor")
-      ->check(whole_number(0, 1024))
-      ->capture_default_str();
-  command
-      ->add_option("--repeat", arguments->repeat,
-                   "run the computation so many times; the summary says the least and the median time")
-      ->check(whole_number(1))
-      ->capture_default_str();
-  auto* const exact = command->add_flag(
-      "--exact", arguments->exact, "decide every cell exactly: one polynomial in 1 to 3 variables, or two in 2 or 3");
-  command->add_flag("--rungs", arguments->rungs, "a last column of CSV with the step that decided each cell")
-      ->needs(exact);
-  command->add_flag("--sample", settings.sample, "look for a change of sign at the corners of a cell");
-  command->add_flag("--refine", settings.refine, "cut each remaining cell once more before it is plotted");
-  command->add_flag("--plus", arguments->plus, "--sample and --refine: the paper's RT++ and MAA++");
-  command->add_flag("--count", settings.count, "count additions and multiplications (paper's engine)");
-  command->add_option("--max-cells", settings.max_cells, "fail when more cells would be plotted")
-      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
-      ->capture_default_str();
-  command->add_option("--output", arguments->outputs, "file to write, of a kind told by its ending; may be repeated")
-      ->take_all()
-      ->expected(1);
-  command->add_option("--format", arguments->format, "what to print: csv, json, text, or summary (a line of JSON)")
-      ->check(CLI::IsMember({"csv", "json", "text", "summary"}))
-      ->default_str("summary");
-  command->add_option("--size", arguments->size, "longer side of pictures in pixels")
-      ->check(whole_number(1))
-      ->capture_default_str();
-  command->add_flag("--plain", arguments->plain, "pictures show hit and unknown cells alike, as in the paper");
+  add_engine_options(*command, *arguments);
+  add_output_options(*command, *arguments);
   command->footer(
       "Verdicts: hit (proved: a zero in the cell) and unknown; all other cells are proved empty.\n"
       "With --exact, none is unknown in one and two dimensions; what is decided when it is interrupted is kept.\n"

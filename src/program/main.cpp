@@ -47,11 +47,8 @@ std::vector<std::string> operands_marked(int argc, char** argv)
   return arguments; // in reverse, as CLI11 wants them
 }
 
-int run(int argc, char** argv)
+void add_commands(CLI::App& app)
 {
-  CLI::App app("Finds the cells of a pixel or voxel grid through which an algebraic curve or surface passes,\n"
-               "and bounds polynomials over boxes. What it says of a cell is proved, rounding included.",
-               "corral");
   app.footer("Examples:\n"
              "  corral localize 'x^2 + y^2 - 1' --box -2:2,-2:2 --resolution 256 --plus --output circle.png\n"
              "  corral localize 'x^2 + y^2 + z^2 - 1' --box -1:1,-1:1,-1:1 --resolution 32 --output ball.off\n"
@@ -66,33 +63,59 @@ int run(int argc, char** argv)
   add_audit(app);
   add_reproduce(app);
   add_list(app);
+}
 
+void require_command(const CLI::App& app, const std::string& given)
+{
+  std::string names;
+  for (const CLI::App* const known : app.get_subcommands(nullptr)) {
+    if (known->get_name() == given) return;
+    names += (names.empty() ? "" : ", ") + known->get_name();
+  }
+  throw Invalid_input("command: given '" + given + "'; expected one of " + names);
+}
+
+// The program and the commands named so far, such as "corral audit raster".
+std::string path_of_commands(const CLI::App& app)
+{
+  std::string path = app.get_name();
+  for (auto below = app.get_subcommands(); !below.empty(); below = below.front()->get_subcommands())
+    path += ' ' + below.front()->get_name();
+  return path;
+}
+
+// Does what the command line asks for and returns the exit code.
+int execute(CLI::App& app, int argc, char** argv)
+{
+  int code = done;
+  try {
+    app.parse(operands_marked(argc, argv));
+  } catch (const CLI::Success& success) { // --help and --version
+    app.exit(success);
+  } catch (const CLI::RuntimeError& found) { // the command has said what
+    code = found.get_exit_code();
+  }
+  flush_standard_output();
+  return interrupted_by() != 0 ? 128 + interrupted_by() : code; // a command may keep what it has proved
+}
+
+int run(int argc, char** argv)
+{
+  CLI::App app("Finds the cells of a pixel or voxel grid through which an algebraic curve or surface passes,\n"
+               "and bounds polynomials over boxes. What it says of a cell is proved, rounding included.",
+               "corral");
+  add_commands(app);
   if (argc == 1) {
     std::cout << app.help();
     return bad_usage;
   }
   const std::string command = argv[1];
-  const auto commands = app.get_subcommands(nullptr);
-  if (command[0] != '-' && std::none_of(commands.begin(), commands.end(), [&](const CLI::App* known) {
-        return known->get_name() == command;
-      })) {
-    std::string names;
-    for (const CLI::App* const known : commands) names += (names.empty() ? "" : ", ") + known->get_name();
-    return complain("command: given '" + command + "'; expected one of " + names, bad_usage);
-  }
+  const bool is_question = command == "-h" || command == "--help" || command == "--version";
   try {
-    try {
-      app.parse(operands_marked(argc, argv));
-    } catch (const CLI::Success& success) { // --help and --version
-      app.exit(success);
-    }
-    flush_standard_output();
-    return interrupted_by() != 0 ? 128 + interrupted_by() : done; // a command may keep what it has proved
-  } catch (const CLI::RuntimeError& found) { // the command has said what
-    return found.get_exit_code();
+    if (!is_question) require_command(app, command);
+    return execute(app, argc, argv);
   } catch (const CLI::ParseError& error) {
-    return complain(std::string(error.what()) + "; see corral " + (command[0] == '-' ? "" : command + " ") + "--help",
-                    bad_usage);
+    return complain(error.what() + ("; see " + path_of_commands(app)) + " --help", bad_usage);
   } catch (const Invalid_input& error) {
     return complain(error.what(), bad_usage);
   } catch (const Cancelled&) {

@@ -36,7 +36,7 @@ Curve twenty_lines()
     product = product
               * collect<Rational, 2>({{{1, 0}, Rational(3 * k + 1)},
                                       {{0, 1}, Rational(k % 2 == 0 ? 41 - k : k - 41)},
-                                      {{0, 0}, Rational(-k * k, 7)}});
+                                      {{0, 0}, Rational(-k * k) / 7}});
   return product;
 }
 

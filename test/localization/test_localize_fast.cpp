@@ -84,7 +84,7 @@ std::string find_rounding_fault(std::uint64_t seed, int rounds, bool with_remain
     fast::Plan<D> plan(f, grid);
     if (!with_remainder) {
       plan.rounding = fast::Rounding{};
-      plan.rounding.keep_dropped = false;
+      plan.root.remainder = 0;
     }
     const auto cells = run(plan);
     for (unsigned side = 0; side < (1U << D); ++side) {

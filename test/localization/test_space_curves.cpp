@@ -41,7 +41,7 @@ Space_curve viviani()
 {
   Space_curve curve{surfaces("x^2 + y^2 + z^2 - 4", "(x - 1)^2 + y^2 - 1"), 2, {}};
   for (int k = -300; k <= 300; ++k) {
-    const Rational u(k, 300);
+    const Rational u = Rational(k) / 300;
     const Rational c = (1 - u * u) / (1 + u * u);
     const Rational s = 2 * u / (1 + u * u);
     for (const int side : {-1, 1}) curve.points.push_back({2 * c * c, 2 * side * s * c, 2 * s});
@@ -57,7 +57,7 @@ Space_curve torus_and_plane()
       surfaces("(x^2 + y^2 + z^2 + 3/4)^2 - 4*(x^2 + y^2)", "x - 1/2"), Rational(3, 2), {{Rational(1, 2), 0, 0}}};
   for (int k = 1; k <= 300; ++k)
     for (const int side : {-1, 1})
-      for (const Rational& difference : {Rational(side * k, 300), Rational(side * 150, k)}) {
+      for (const auto& difference : {Rational(Rational(side * k) / 300), Rational(Rational(side * 150) / k)}) {
         const Rational sum = 1 / (2 * difference);
         const Rational y = (sum + difference) / 2;
         const Rational z = (sum - difference) / 2;

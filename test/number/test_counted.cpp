@@ -64,7 +64,7 @@ TEST(Number_types, are_found_by_name)
     Number_types::visit("float", [](auto) {});
     FAIL();
   } catch (const Invalid_input& error) {
-    EXPECT_NE(std::string(error.what()).find("\"float\"; expected one of double_nearest"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("'float'; expected one of double_nearest"), std::string::npos);
   }
 }
 

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
+
 namespace {
 
 using namespace corral;
@@ -100,7 +102,7 @@ TEST(Parse, says_where_the_error_is)
   expect_error("x^0.5", 3, "whole number");
   expect_error("x^y", 3, "whole number");
   expect_error("x^2^3", 4, "second exponent");
-  expect_error("x**2", 3, "expected a number");
+  expect_error("x**2", 3, "expected a number, a variable or ( here; powers are written x^2");
   expect_error("x^1000000", 1, "degree 1000000 in x; expected at most 1000");
   expect_error("x^99999999999999999999", 3, "20 digits");
   expect_error("(x*y^2)^501", 1, "degree 1002 in y");
@@ -109,7 +111,10 @@ TEST(Parse, says_where_the_error_is)
   expect_error(std::string_view("x\0y", 3), 2, "\\x00");
   expect_error("1.2.3", 1, "not a number");
   expect_error("1e999999999", 1, "not a number");
-  expect_error("x=y", 2, "'='");
+  expect_error("x=y", 2, "an equation; expected a polynomial, as x - y for x = y");
+  expect_error("x$y", 2, "'$'");
+  expect_error("x+sin (y)", 3, "implicit product or function; expected *");
+  expect_error("x(y)", 1, "implicit product or function; expected *");
 }
 
 TEST(Parse, survives_hostile_text)
@@ -126,6 +131,19 @@ TEST(Parse, survives_hostile_text)
   error_of("(((2^9999)^9999)^9999)^9999");
   error_of("(x^1000-1)*(y^1000-1)*(((((x+y+1)^200)^2+1)^2))");
   error_of(repeated("\xff", 1000000));
+}
+
+// A power with too many digits is refused before any of it is computed.
+TEST(Parse, refuses_a_power_of_too_many_digits_at_once)
+{
+  const auto start = std::clock();
+  expect_error("((2^1000)^1000)^1000*x-y", 1, "too many terms or digits");
+  expect_error("y+((2/3)^100000)^100000*x", 3, "too many terms or digits");
+  expect_error("((2^1000)^1000*x-y)^1000", 1, "too many terms or digits");
+  expect_error("(x+(2^1000)^1000*x*y+y)^1000", 1, "too many terms or digits");
+  EXPECT_LT(std::clock() - start, CLOCKS_PER_SEC);
+  EXPECT_EQ(parse("((2^1000)^1000-(2^1000)^1000+1)^1000*x"), parse("x")); // negative control: large on the way only
+  EXPECT_EQ(parse("(1/2^100000)^9*x").terms()[0].coefficient.get_den(), Integer(1) << 900000);
 }
 
 TEST(Parse, reads_a_coefficient_of_100000_digits)

@@ -242,9 +242,9 @@ TEST(Bound_at, says_whether_the_value_is_contained)
     EXPECT_EQ(run.out, "");
     EXPECT_NE(run.err.find(hint), std::string::npos) << run.err;
   };
-  refuse("1", "given 1 coordinates; expected 2");
+  refuse("1", "given 1 coordinate; expected 2");
   refuse("0,0,0", "given 3 coordinates; expected 2");
-  refuse("0,2", "coordinate 1 is 2; expected a point of the box");
+  refuse("0,2", "coordinate 2 is 2; expected a point of the box");
   refuse("0,y", "y");
 }
 

@@ -152,8 +152,8 @@ Cells sampled(const Polynomial<Rational, 2>& f)
   std::vector<std::vector<int>> signs(resolution + 1, std::vector<int>(resolution + 1));
   for (int i = 0; i <= resolution; ++i)
     for (int j = 0; j <= resolution; ++j)
-      signs[std::size_t(i)][std::size_t(j)] = sgn(
-          evaluate(f, {Rational(-30 + Rational(90 * i, resolution)), Rational(-300 + Rational(600 * j, resolution))}));
+      signs[std::size_t(i)][std::size_t(j)] =
+          sgn(evaluate(f, {-30 + Rational(90 * i) / resolution, -300 + Rational(600 * j) / resolution}));
   Cells cells;
   for (std::size_t i = 0; i < resolution; ++i)
     for (std::size_t j = 0; j < resolution; ++j) {

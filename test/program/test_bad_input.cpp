@@ -54,6 +54,8 @@ TEST(Bad_input, polynomials)
   expect_polynomial_refused("x y", "implicit product");
   expect_polynomial_refused("1/0", "division by zero");
   expect_polynomial_refused("x^-1", "exponent");
+  expect_polynomial_refused("sin(x)+y", "implicit product or function");
+  expect_polynomial_refused("x=y", "as x - y for x = y");
   expect_polynomial_refused("x^1000000", "degree 1000000");
   expect_polynomial_refused("x + \xc3\xa9", "ASCII");
   expect_polynomial_refused("x + \x01\n", "ASCII");
@@ -69,16 +71,20 @@ TEST(Bad_input, polynomials)
 TEST(Bad_input, boxes)
 {
   expect_box_refused("", "LOWER:UPPER");
-  expect_box_refused("0:0,0:1", "expected lower < upper");
-  expect_box_refused("1:0,0:1", "LOWER <= UPPER");
+  expect_box_refused("0:0,0:1", "side 1 of the box is [0, 0]; expected lower < upper");
+  expect_box_refused("1:0,0:1", "side 1 is '1:0'; expected LOWER:UPPER with LOWER <= UPPER");
+  expect_box_refused("0:1,0", "side 2 is '0'");
   expect_box_refused("0:inf,0:1", "finite");
   expect_box_refused("nan:1,0:1", "finite");
   expect_box_refused("0:1e999999999,0:1", "finite");
-  expect_box_refused("0:1", "x, y");
+  expect_box_refused("0:1", "given 1 side; expected one for each of the variables x, y");
   expect_box_refused("0:1,0:1,0:1,0:1,0:1", "expected 1 to 4");
   expect_refusal({"localize", "x", "--variables", "x,y,z", "--box", "0:1,0:1", "--resolution", "8"}, 2,
                  "expected 2 names");
-  expect_refusal({"localize", "x", "--variables", "x,x", "--box", "0:1,0:1", "--resolution", "8"}, 2, "twice");
+  expect_refusal({"localize", "x", "--variables", "x,x", "--box", "0:1,0:1", "--resolution", "8"}, 2,
+                 "variables: given 'x' twice");
+  expect_refusal({"localize", "x", "--variables", "x,2", "--box", "0:1,0:1", "--resolution", "8"}, 2,
+                 "variables: given '2'; expected a letter");
 }
 
 TEST(Bad_input, resolutions)
@@ -88,13 +94,16 @@ TEST(Bad_input, resolutions)
   expect_resolution_refused("1099511627776", "1 to 1073741824");
   expect_resolution_refused("99999999999999999999999999", "1 to 1073741824");
   expect_resolution_refused("1.5", "whole number");
-  expect_resolution_refused("8,8,8", "expected 1 or 2");
+  expect_resolution_refused("8,8,8", "given 3 numbers; expected 1 or 2");
+  expect_refusal({"localize", "x", "--box", "0:1", "--resolution", "8,8"}, 2, "given 2 numbers; expected 1\n");
   expect_resolution_refused("", "whole number");
 }
 
 TEST(Bad_input, usage)
 {
   expect_refusal({"locate"}, 2, "expected one of localize");
+  expect_refusal({"--colour"}, 2, "given '--colour'; expected one of localize");
+  expect_refusal({"-x+1"}, 2, "given '-x+1'; expected one of localize");
   expect_refusal({"localize"}, 2, "--help");
   expect_refusal({"localize", "x"}, 2, "--help");
   expect_refusal({"localize", "x", "--box", "0:1", "--resolution", "8", "--colour"}, 2, "--colour");
@@ -117,6 +126,8 @@ TEST(Bad_input, bound)
   expect_refusal({"bound", "x + y", "--box", "1:0,0:1"}, 2, "LOWER <= UPPER");
   expect_refusal({"bound", "x +", "--box", "0:1"}, 2, "expected");
   expect_refusal({"bound", "x"}, 2, "--box");
+  expect_refusal({"bound", "x", "--box", "0:1", "--at", "q"}, 2, "at: number: given 'q'; expected a digit");
+  expect_refusal({"bound", "x", "--box", "0:1", "--at", ""}, 2, "at: given 0 coordinates; expected 1");
 }
 
 TEST(Bad_input, methods_of_localize)
@@ -133,6 +144,10 @@ TEST(Bad_input, methods_of_localize)
   refuse("--max-cells", "-1", "expected a whole number");
   expect_refusal({"localize", "x", "--box", "0:1", "--resolution", "8", "--bounder", "maa", "--order", "0"}, 2,
                  "order");
+  expect_refusal(
+      {"localize", "x", "--box", "0:1,0:1,0:1,0:1", "--variables", "t,x,y,z", "--resolution", "2", "--exact"}, 2,
+      "given 1 polynomial in 4 dimensions");
+  refuse("--size", "63", "expected a whole number from 64 to 8192");
 }
 
 TEST(Bad_input, reproduce)
@@ -179,7 +194,7 @@ TEST(Bad_input, exact_and_repeat)
     expect_refusal(words, 2, hint);
   };
   refuse({"x - y", "x + y", "x*y", "--exact"}, "0:1,0:1", "given 3 polynomials");
-  refuse({"x", "x - 1", "--exact"}, "0:1", "given 2 polynomials in 1 dimensions");
+  refuse({"x", "x - 1", "--exact"}, "0:1", "given 2 polynomials in 1 dimension;");
   refuse({"x - y", "--repeat", "0"}, "0:1,0:1", "--repeat");
   refuse({"x - y", "--repeat", "-3"}, "0:1,0:1", "--repeat");
 }
@@ -196,7 +211,7 @@ TEST(Bad_input, outputs)
   expect_refusal(with({"--output", "a.off"}), 2, ".png .svg"); // for surfaces only
   expect_refusal(with({"--output", "nowhere/a.csv"}), 1, "No such file or directory");
   expect_refusal(with({"--output", "/proc/a.csv"}), 1, "cannot write");
-  expect_refusal(with({"--output", "a.png", "--size", "1"}), 2, "expected 64 to 8192");
+  expect_refusal(with({"--output", "a.png", "--size", "1"}), 2, "from 64 to 8192");
   expect_refusal(with({"--max-cells", "100"}), 1, "100 cells");
   for (const char* const name : {"a.csv", "a.json", "a.png", "a.svg"}) {
     Program_limits full;

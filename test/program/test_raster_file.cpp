@@ -127,7 +127,7 @@ TEST(Raster_file, refuses_with_the_line_and_what_was_expected)
   };
   expect("", "empty");
   expect("\n# nothing\n\n", "empty");
-  expect("1,2\n\n10,2\n", "line 3: given '10'; expected an index of axis 0, a whole number from 0 to 9");
+  expect("1,2\n\n10,2\n", "line 3: given '10'; expected i, a whole number from 0 to 9");
   expect("1,20\n", "from 0 to 19");
   expect("1,-1\n", "given '-1'");
   expect("1,99999999999999999999999999\n", "given '9999");

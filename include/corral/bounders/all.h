@@ -51,7 +51,7 @@ struct Bounder_list
       return true;
     };
     if (!(is_it(std::type_identity<B<I, D>>{}) || ...))
-      throw Invalid_input("bounder: given \"" + std::string(name) + "\"; expected one of " + names());
+      throw Invalid_input("bounder: given '" + std::string(name) + "'; expected one of " + names());
   }
 
   /// The names, separated by ", ".

@@ -38,10 +38,10 @@ public:
     for (std::size_t axis = 0; axis < D; ++axis) {
       const auto& side = box_[axis];
       if (side.lower() >= side.upper())
-        throw Invalid_input("grid: side " + std::to_string(axis) + " of the box is [" + to_string(side.lower()) + ", "
-                            + to_string(side.upper()) + "]; expected lower < upper");
+        throw Invalid_input("grid: side " + std::to_string(axis + 1) + " of the box is [" + to_string(side.lower())
+                            + ", " + to_string(side.upper()) + "]; expected lower < upper");
       if (resolution_[axis] == 0 || resolution_[axis] > max_resolution)
-        throw Invalid_input("grid: the resolution of axis " + std::to_string(axis) + " is "
+        throw Invalid_input("grid: the resolution along side " + std::to_string(axis + 1) + " is "
                             + std::to_string(resolution_[axis]) + "; expected 1 to " + std::to_string(max_resolution));
       step_[axis] = (side.upper() - side.lower()) / resolution_[axis];
     }

@@ -53,7 +53,7 @@ private:
     if constexpr (sizeof...(Rest) > 0)
       return visit_first<Function, Rest...>(name, function);
     else
-      throw Invalid_input("number type: given \"" + std::string(name) + "\"; expected one of " + names());
+      throw Invalid_input("number type: given '" + std::string(name) + "'; expected one of " + names());
   }
 };
 

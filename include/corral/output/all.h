@@ -57,8 +57,8 @@ template <std::size_t D>
     if (!known.empty()) known += ' ';
     known += writer.ending;
   }
-  throw Invalid_input("output: '" + path.string() + "' has no known ending for " + std::to_string(D)
-                      + (D == 1 ? " dimension" : " dimensions") + "; expected one of " + known);
+  throw Invalid_input("output: '" + path.string() + "' has no known ending for " + detail::quantity(D, "dimension")
+                      + "; expected one of " + known);
 }
 
 /// \brief Writes the cells to a file whose ending chooses the writer, whole or not at all.

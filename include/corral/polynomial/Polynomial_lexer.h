@@ -36,7 +36,7 @@ public:
 
   [[nodiscard]] const Token& token() const { return token_; }
 
-  /// Steps to the next word. \throw Parse_error on a character that starts none.
+  /// Steps to the next word. \throw Parse_error on a character that starts none, or a name before a parenthesis.
   void advance();
 
   /// The value of the current word. \pre It is a number.
@@ -53,6 +53,8 @@ public:
 
 private:
   [[nodiscard]] std::string located(const std::string& message, std::size_t position) const;
+  /// Refuses a name from `begin` to `end` with a parenthesis behind it, as in sin(x).
+  void refuse_call(std::size_t begin, std::size_t end) const;
   [[nodiscard]] std::size_t end_of_number(std::size_t begin) const;
   [[nodiscard]] char at(std::size_t position) const { return position < text_.size() ? text_[position] : '\0'; }
 

@@ -174,7 +174,7 @@ template <std::size_t D>
   for (std::size_t axis = 0; axis < D; ++axis)
     if (f.degree(axis) + g.degree(axis) > 0xffff)
       throw Budget_exceeded("product of polynomials: degree " + std::to_string(f.degree(axis) + g.degree(axis))
-                            + " in variable " + std::to_string(axis) + "; expected at most 65535");
+                            + " in variable " + std::to_string(axis + 1) + "; expected at most 65535");
   const bool is_dense = monomials <= budget.max_terms && monomials <= 8 * products;
   return is_dense ? detail::dense_product(f, g) : detail::sparse_product(f, g);
 }

@@ -4,6 +4,7 @@
 
 #include <corral/errors.h>
 #include <corral/polynomial/Polynomial_lexer.h>
+#include <corral/polynomial/Polynomial_sum.h>
 #include <corral/polynomial/arithmetic.h>
 
 #include <algorithm>
@@ -25,44 +26,6 @@ inline constexpr unsigned max_parsed_degree = 1000;
 [[nodiscard]] std::vector<std::string> variables_in(std::string_view text);
 
 namespace detail {
-
-/// A sum under construction: adding costs only what is added, however long the sum is.
-template <std::size_t D>
-class Polynomial_sum
-{
-public:
-  void add(Polynomial<Rational, D> f)
-  {
-    terms_since_collected_ += f.terms().size();
-    parts_.push_back(std::move(f));
-    if (terms_since_collected_ > 2 * terms_when_collected_ + 1000) collect_parts();
-  }
-
-  [[nodiscard]] Polynomial<Rational, D> take()
-  {
-    if (parts_.size() > 1) collect_parts();
-    return parts_.empty() ? Polynomial<Rational, D>() : std::move(parts_.front());
-  }
-
-  /// How many terms were sorted so far, which is what the sum has cost.
-  [[nodiscard]] std::size_t terms_sorted() const { return terms_sorted_; }
-
-private:
-  void collect_parts()
-  {
-    std::vector<typename Polynomial<Rational, D>::Term> terms;
-    for (const auto& part : parts_) terms.insert(terms.end(), part.terms().begin(), part.terms().end());
-    terms_sorted_ += terms.size();
-    parts_ = {collect<Rational, D>(std::move(terms))};
-    terms_when_collected_ = parts_.front().terms().size();
-    terms_since_collected_ = 0;
-  }
-
-  std::vector<Polynomial<Rational, D>> parts_;
-  std::size_t terms_when_collected_ = 0;
-  std::size_t terms_since_collected_ = 0;
-  std::size_t terms_sorted_ = 0;
-};
 
 /// The parser, with a stack of its own: one level for each open parenthesis.
 template <std::size_t D>
@@ -124,7 +87,9 @@ private:
     else if (operand.kind == Token::name)
       multiply_by(raised(variable<Rational, D>(axis_of(operand)), operand.position), operand.position);
     else
-      lexer_.fail("expected a number, a variable or ( here", operand.position);
+      lexer_.fail(std::string("expected a number, a variable or ( here")
+                      + (operand.kind == Token::times ? "; powers are written x^2" : ""),
+                  operand.position);
   }
 
   std::size_t axis_of(const Token& name) const
@@ -151,8 +116,21 @@ private:
     } else
       for (std::size_t axis = 0; axis < D; ++axis)
         check_degree(double(operand.degree(axis)) * exponent, axis, position);
+    if (least_words_of_power(operand, exponent) > Product_budget{}.max_words) lexer_.fail_budget(position);
     return within_budget(position, [&] { return raise(std::move(operand), exponent); });
   }
+
+  /// The powers of the first and the last term stand alone in the result.
+  static double least_words_of_power(const Result& f, unsigned exponent)
+  {
+    double bits = 0;
+    if (!f.is_zero())
+      for (const Rational& c : {f.terms().front().coefficient, f.terms().back().coefficient})
+        bits = std::max(bits, least_bits(c.get_num()) + least_bits(c.get_den()));
+    return exponent * bits / 64;
+  }
+
+  static double least_bits(const Integer& c) { return static_cast<double>(mpz_sizeinbase(c.get_mpz_t(), 2)) - 1; }
 
   Result raise(Result f, unsigned exponent)
   {

@@ -28,7 +28,7 @@ public:
   bool chance(int one_in) { return integer(1, one_in) == 1; }
 
   /// A number whose mantissa fills a double, of a magnitude around 1 and of any sign.
-  Rational full_mantissa() { return scaled(Integer(integer(1L << 52, (1L << 53) - 1)) * sign(), integer(-56, -48)); }
+  Rational full_mantissa() { return signed_number(1L << 52, (1L << 53) - 1, integer(-56, -48)); }
 
   /// Zero, small integers, full mantissas, neighbours of powers of two, fractions, and both ends of the range of
   /// doubles.
@@ -40,15 +40,15 @@ public:
     case 1:
       return integer(-9, 9);
     case 2:
-      return scaled(Integer(sign()), integer(-1080, 1030));
+      return power_of_two(integer(-1080, 1030));
     case 3:
-      return scaled(Integer((1L << 53) + integer(-2, 2)) * sign(), integer(-1130, 980));
-    case 4:
-      return scaled(Integer(integer(1, 1L << 53)) * sign(), -1074 - integer(0, 20)); // subnormal and below
-    case 5:
-      return full_mantissa() * scaled(1, integer(1000, 1040)); // up to infinity and beyond
-    case 6:
-      return full_mantissa() * scaled(1, integer(-560, -500)); // products are subnormal
+      return signed_number((1L << 53) - 2, (1L << 53) + 2, integer(-1130, 980));
+    case 4: // subnormal and below
+      return signed_number(1, 1L << 53, -1074 - integer(0, 20));
+    case 5: // up to infinity and beyond
+      return full_mantissa(integer(1000, 1040));
+    case 6: // products are subnormal
+      return full_mantissa(integer(-560, -500));
     case 7:
       return fraction();
     default:
@@ -59,7 +59,8 @@ public:
   /// A fraction of a magnitude up to 10^5 that no binary number equals, as a rule.
   Rational fraction()
   {
-    Rational result(integer(-1000000, 1000000), 3 * integer(1, 1000000) + 1);
+    const long denominator = 3 * integer(1, 1000000) + 1;
+    Rational result(integer(-1000000, 1000000), denominator);
     result.canonicalize();
     return result;
   }
@@ -86,7 +87,16 @@ public:
   }
 
 private:
+  // At most one argument of a call draws: compilers differ in which they compute first.
+
   int sign() { return chance(2) ? -1 : 1; }
+  Rational power_of_two(long exponent) { return scaled(Integer(sign()), exponent); }
+  Rational full_mantissa(long exponent) { return full_mantissa() * scaled(1, exponent); }
+  Rational signed_number(long least_mantissa, long greatest_mantissa, long exponent)
+  {
+    const int sign_drawn = sign();
+    return scaled(Integer(integer(least_mantissa, greatest_mantissa)) * sign_drawn, exponent);
+  }
 
   std::mt19937_64 engine_;
 };

@@ -72,15 +72,23 @@ template <class I>
     return false;
 }
 
-/// Whether `x` is an interval and contains the value. An end point at infinity must be the right infinity.
+} // namespace detail
+
+/// \brief Whether `x` is an interval at all and contains the value.
+///
+/// Unlike `contains`, which takes every end point that is no rational for an infinity of the right sign, this trusts
+/// nothing: neither an end point that is not a number nor one at the wrong infinity encloses anything.
+/// \par Complexity  Two comparisons of rationals.
 template <IntervalNumber I>
 [[nodiscard]] bool encloses(const I& x, const Rational& value)
 {
-  if (is_no_number(x)) return false;
+  if (detail::is_no_number(x)) return false;
   const bool lower_is_sound = exact_lower(x) || Interval_traits<I>::lower_sign(x) < 0;
   const bool upper_is_sound = exact_upper(x) || Interval_traits<I>::upper_sign(x) > 0;
   return lower_is_sound && upper_is_sound && contains(x, value);
 }
+
+namespace detail {
 
 template <IntervalNumber I, std::size_t D>
 [[nodiscard]] Polynomial<I, D> enclose_coefficients(const Polynomial<Rational, D>& f)

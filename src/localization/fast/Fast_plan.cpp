@@ -33,6 +33,7 @@ Rounding proved_rounding(std::size_t dimension, unsigned degree)
   rounding.underflow = std::ldexp(1.0, std::max(-1000, static_cast<int>(degree) + 24 - 1074));
   rounding.sum = 1 + 0x1p-30;
   rounding.step = 1 + 0x1p-48;
+  rounding.dropped = rounding.sum;
   return rounding;
 }
 
@@ -82,7 +83,7 @@ Seed<D> root_seed(const Plan<D>& plan)
   Seed<D> seed;
   double norm = 0;
   for (const double c : plan.root.coefficients) norm += std::abs(c);
-  seed.rows = {plan.rounding.keep_dropped ? plan.root.remainder : 0, norm * plan.rounding.sum};
+  seed.rows = {plan.root.remainder, norm * plan.rounding.sum};
   seed.rows.resize(2 + D, 0.0); // the corner is the origin
   seed.rows.insert(seed.rows.end(), plan.root.coefficients.begin(), plan.root.coefficients.end());
   return seed;

@@ -21,12 +21,12 @@ namespace corral::fast {
 /// A test may zero them to see that the remainder is needed.
 struct Rounding
 {
-  double split = 0;         ///< times the sum of absolute coefficients: rounding of one split
-  double evaluate = 0;      ///< times the sum of absolute coefficients: rounding of one evaluation in a block
-  double underflow = 0;     ///< added at every step
-  double sum = 1;           ///< factor that covers a sum of up to 2^20 terms of one sign
-  double step = 1;          ///< factor that covers a few operations on numbers of one sign
-  bool keep_dropped = true; ///< whether dropped terms and the remainder of the root count
+  double split = 0;     ///< times the sum of absolute coefficients: rounding of one split
+  double evaluate = 0;  ///< times the sum of absolute coefficients: rounding of one evaluation in a block
+  double dropped = 0;   ///< times the sum of absolute coefficients that are dropped
+  double underflow = 0; ///< added at every step
+  double sum = 1;       ///< factor that covers a sum of up to 2^20 terms of one sign
+  double step = 1;      ///< factor that covers a few operations on numbers of one sign
 };
 
 /// The constants that make every verdict a proof, for a shape of this degree.

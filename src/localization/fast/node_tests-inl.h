@@ -116,7 +116,7 @@ std::size_t Node_tests<D>::drop(unsigned level, std::size_t k, unsigned kept)
     if ((kept & ~at_most(more, max(room * share, noise))) != 0) break;
     lost = lost + more;
   }
-  if (target != k && r.keep_dropped) store((remainder + lost * set(r.sum)) * set(r.step), remainder_);
+  if (target != k) store((remainder + lost * set(r.dropped)) * set(r.step), remainder_);
   return target;
 }
 
