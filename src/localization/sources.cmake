@@ -3,11 +3,15 @@ find_package(hwy REQUIRED)
 find_package(TBB REQUIRED)
 target_sources(corral PRIVATE
   localization/fast/Fast_plan.cpp
+  localization/fast/Member.cpp
   localization/fast/Monomial_shape.cpp
   localization/fast/Root_form.cpp
   localization/fast/Rough_nodes.cpp
   localization/fast/Runner.cpp
   localization/fast/System_run.cpp
+  localization/fast/Term_bounds.cpp
+  localization/fast/Term_form.cpp
+  localization/fast/Term_nodes.cpp
   localization/fast/fast_engine.cpp
   localization/fast/localize_fast.cpp)
 target_include_directories(corral PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})

@@ -27,7 +27,8 @@ struct Fast_options
 ///
 /// The polynomial is mapped exactly onto the grid and then kept, for every node of the 2^D-tree, in the node's own
 /// coordinates as doubles with a bound of every rounding error so far. Blocks of cells are decided together from the
-/// values at their corners. `empty` and `hit` are proved, whatever the coefficients; all else is `unknown`.
+/// values at their corners. Where there are few terms of high degree, nodes are bounded by the terms instead. `empty` and
+/// `hit` are proved, whatever the coefficients; all else is `unknown`.
 /// The cells are the same, bit for bit, for every instruction set and number of threads. Of the counters, `bounds` tells
 /// the nodes of the tree and `seconds` the time.
 ///

@@ -99,6 +99,15 @@ struct Seed
   std::vector<double> rows;
 };
 
+/// The first cell of a seed's node.
+template <std::size_t D>
+[[nodiscard]] Cell<D> corner_of(const Seed<D>& seed)
+{
+  Cell<D> corner;
+  for (std::size_t axis = 0; axis < D; ++axis) corner[axis] = static_cast<std::uint32_t>(seed.rows[2 + axis]);
+  return corner;
+}
+
 /// A node in which the remainder hides the polynomial. A root form of its own, rounded anew, can see more.
 template <std::size_t D>
 struct Hidden_node

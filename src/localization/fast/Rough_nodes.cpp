@@ -47,32 +47,52 @@ Block_list<D> merged(const Block_list<D>& blocks, const Block_list<D>& fine)
 } // namespace
 
 template <std::size_t D>
-bool Rough_nodes<D>::can_decide(const Grid<D>& grid)
+bool Rough_nodes<D>::can_decide(const Polynomial<Rational, D>& f, const Grid<D>& grid)
 {
-  return std::all_of(grid.resolution().begin(), grid.resolution().end(),
-                     [](auto n) { return n <= Grid<D>::max_resolution / block_side<D>; });
+  return Term_form<D>::has_few_terms(f) || std::all_of(grid.resolution().begin(), grid.resolution().end(), [](auto n) {
+           return n <= Grid<D>::max_resolution / block_side<D>;
+         });
 }
 
 template <std::size_t D>
 Rough_nodes<D>::Rough_nodes(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Plan<D>& plan)
-    : f_(f), plan_(plan), fine_grid_(refined(grid)), fine_plan_(f, fine_grid_)
+    : level_(plan.rough_level)
 {
-  fine_plan_.tells_rough = plan_.tells_rough = plan_.tells_hidden = false;
-  plan_.cell_budget = std::numeric_limits<std::uint64_t>::max(); // what both see is counted once they are merged
+  if (Term_form<D>::has_few_terms(f))
+    by_terms_.emplace(f, grid);
+  else
+    twice_.emplace(f, grid, plan);
 }
 
 template <std::size_t D>
 Harvest<D> Rough_nodes<D>::decide(Task<D> seeds) const
 {
+  if (twice_) return twice_->decide(seeds);
+  std::vector<Cell<D>> corners;
+  for (const auto& seed : seeds) corners.push_back(corner_of(seed));
+  return by_terms_->decide(level_, corners);
+}
+
+template <std::size_t D>
+Rough_nodes<D>::Twice::Twice(const Polynomial<Rational, D>& polynomial, const Grid<D>& grid, const Plan<D>& given)
+    : f(polynomial), plan(given), fine_grid(refined(grid)), fine_plan(f, fine_grid)
+{
+  plan.tells_rough = plan.tells_hidden = fine_plan.tells_rough = false;
+  plan.cell_budget = std::numeric_limits<std::uint64_t>::max(); // counted once both are merged
+}
+
+template <std::size_t D>
+Harvest<D> Rough_nodes<D>::Twice::decide(Task<D> seeds) const
+{
   Harvest<D> coarse;
-  subdivide(plan_, plan_.rough_level, seeds, 0, coarse);
+  subdivide(plan, plan.rough_level, seeds, 0, coarse);
   std::vector<Seed<D>> fine_seeds(seeds.begin(), seeds.end());
   for (auto& seed : fine_seeds)
     for (std::size_t axis = 0; axis < D; ++axis) seed.rows[2 + axis] *= block_side<D>;
   Harvest<D> fine;
-  subdivide<D>(fine_plan_, plan_.rough_level + (fine_plan_.root_level - plan_.root_level), fine_seeds, 0, fine);
+  subdivide<D>(fine_plan, plan.rough_level + (fine_plan.root_level - plan.root_level), fine_seeds, 0, fine);
   for (const auto& node : fine.hidden) {
-    const auto found = localize_part(f_, part(fine_grid_, fine_plan_, node), {}, false);
+    const auto found = localize_part(f, part(fine_grid, fine_plan, node), {}, false);
     fine.nodes += found.counters.bounds;
     append_part(found.cells, node.corner, fine.blocks);
   }

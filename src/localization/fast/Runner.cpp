@@ -3,6 +3,8 @@
 
 #include "Fast_plan.h"
 #include "Rough_nodes.h"
+#include "System_run.h"
+#include "Term_form.h"
 #include "bands.h"
 #include "grid_part.h"
 #include "sorted_blocks.h"
@@ -49,7 +51,7 @@ public:
         subdividers_([this] { return make_subdivider(plan_); })
   {
     plan_.cell_budget = options.cell_budget;
-    plan_.tells_rough = refines && Rough_nodes<D>::can_decide(grid);
+    plan_.tells_rough = refines && Rough_nodes<D>::can_decide(f, grid);
   }
 
   Localization<D> run()
@@ -190,6 +192,7 @@ template <std::size_t D>
 Localization<D> localize_part(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Fast_options& options,
                               bool refines)
 {
+  if (Term_form<D>::suits(f, grid)) return localize_system({f}, grid, options, refines);
   return Runner<D>(f, grid, options, refines).run();
 }
 

@@ -2,7 +2,7 @@
 #include "System_run.h"
 
 #include "Fast_plan.h"
-#include "Rough_nodes.h"
+#include "Member.h"
 #include "common_nodes.h"
 #include "grid_part.h"
 #include "tasks.h"
@@ -22,67 +22,6 @@
 namespace corral::fast {
 namespace {
 
-/// One polynomial of a system.
-template <std::size_t D>
-class Member
-{
-public:
-  Member(const Polynomial<Rational, D>& f, const Grid<D>& grid, bool refines) : f_(f), grid_(grid), plan_(f, grid)
-  {
-    plan_.tells_rough = refines && Rough_nodes<D>::can_decide(grid);
-  }
-
-  [[nodiscard]] const Plan<D>& plan() const { return plan_; }
-
-  /// The children of some nodes.
-  [[nodiscard]] Harvest<D> children(unsigned level, std::vector<Open_node<D>>&& nodes) const
-  {
-    return subdivided(level, seeds_of(nodes, Open_node<D>::smooth), level - 1);
-  }
-
-  /// The cells of some nodes.
-  [[nodiscard]] Harvest<D> leaves(unsigned level, std::vector<Open_node<D>>&& nodes)
-  {
-    auto rough = seeds_of(nodes, Open_node<D>::rough);
-    Harvest<D> found = subdivided(level, seeds_of(nodes, Open_node<D>::smooth), 0);
-    std::move(found.rough.begin(), found.rough.end(), std::back_inserter(rough)); // the root, if it is near the leaves
-    if (rough.empty()) return found;
-    const Harvest<D> more = rough_nodes().decide(rough);
-    more.blocks.visit([&](const Cell_block<D>& block) { found.blocks.add(block); });
-    found.nodes += more.nodes;
-    return found;
-  }
-
-private:
-  static std::vector<Seed<D>> seeds_of(std::vector<Open_node<D>>& nodes, typename Open_node<D>::Kind kind)
-  {
-    std::vector<Seed<D>> seeds;
-    for (auto& node : nodes)
-      if (node.kind == kind) seeds.push_back(std::move(node.seed));
-    std::stable_sort(seeds.begin(), seeds.end(), [](const auto& a, const auto& b) { return a.cut < b.cut; });
-    return seeds;
-  }
-
-  [[nodiscard]] Harvest<D> subdivided(unsigned level, const std::vector<Seed<D>>& seeds, unsigned stop_level) const
-  {
-    Harvest<D> found;
-    subdivide<D>(plan_, level, seeds, stop_level, found);
-    return found;
-  }
-
-  const Rough_nodes<D>& rough_nodes()
-  {
-    std::call_once(*once_, [&] { rough_ = std::make_unique<Rough_nodes<D>>(f_, grid_, plan_); });
-    return *rough_;
-  }
-
-  const Polynomial<Rational, D>& f_;
-  const Grid<D>& grid_;
-  Plan<D> plan_;
-  std::unique_ptr<std::once_flag> once_ = std::make_unique<std::once_flag>();
-  std::unique_ptr<Rough_nodes<D>> rough_; // since few systems have rough nodes
-};
-
 /// Walks down the tree with all polynomials.
 template <std::size_t D>
 class System_run
@@ -93,13 +32,14 @@ public:
       : system_(system), grid_(grid), options_(options), threads_(thread_count(options.threads)), refines_(refines)
   {
     members_.reserve(system.size());
-    for (const auto& f : system) members_.emplace_back(f, grid, refines);
+    const Nearest_scope environment;
+    for (const auto& f : system) members_.push_back(Member<D>::make(f, grid, refines));
   }
 
   Localization<D> run()
   {
     Open_nodes<D> root;
-    for (const auto& member : members_) root.push_back({{{}, Open_node<D>::smooth, root_seed(member.plan())}});
+    for (const auto& member : members_) root.push_back({{{}, Open_node<D>::smooth, member->root()}});
     in_arena(threads_, [&] { descend(plan().root_level, std::move(root), 1); });
     result_.cells.finish();
     return std::move(result_);
@@ -108,7 +48,7 @@ public:
 private:
   using Blocks = std::vector<Cell_block<D>>;
 
-  [[nodiscard]] const Plan<D>& plan() const { return members_.front().plan(); } // all have the same tree
+  [[nodiscard]] const Plan<D>& plan() const { return members_.front()->plan(); } // all have the same tree
 
   /// \param share  the part of the whole work that these nodes are taken for.
   void descend(unsigned level, Open_nodes<D> nodes, double share)
@@ -133,7 +73,7 @@ private:
     const Nearest_scope environment;
     std::uint64_t bounds = 0;
     for (std::size_t p = 0; p < members_.size(); ++p) {
-      Harvest<D> found = members_[p].children(level, std::move(nodes[p]));
+      Harvest<D> found = members_[p]->children(level, std::move(nodes[p]));
       bounds += found.nodes;
       nodes[p] = open_nodes(std::move(found));
     }
@@ -175,7 +115,7 @@ private:
     std::vector<Hidden_node<D>> hidden;
     Blocks common;
     for (std::size_t p = 0; p < members_.size(); ++p) {
-      Harvest<D> found = members_[p].leaves(level, std::move(nodes[p]));
+      Harvest<D> found = members_[p]->leaves(level, std::move(nodes[p]));
       bounds += found.nodes;
       hidden.insert(hidden.end(), found.hidden.begin(), found.hidden.end());
       auto blocks = found.blocks.sorted();
@@ -222,7 +162,7 @@ private:
   const Fast_options& options_;
   unsigned threads_;
   bool refines_;
-  std::vector<Member<D>> members_;
+  std::vector<std::unique_ptr<Member<D>>> members_;
   std::mutex mutex_; // guards what follows
   Localization<D> result_;
   std::uint64_t plotted_ = 0;

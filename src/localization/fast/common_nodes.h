@@ -21,7 +21,7 @@ template <std::size_t D>
 struct Open_node
 {
   enum Kind { smooth, rough, hidden };
-  std::array<std::uint32_t, D> corner;
+  Cell<D> corner;
   Kind kind;
   Seed<D> seed; ///< empty if the node is hidden
 };
@@ -38,8 +38,7 @@ template <std::size_t D>
   nodes.reserve(harvest.seeds.size() + harvest.rough.size() + harvest.hidden.size());
   const auto add = [&](std::vector<Seed<D>>& seeds, typename Open_node<D>::Kind kind) {
     for (auto& seed : seeds) {
-      std::array<std::uint32_t, D> corner;
-      for (std::size_t axis = 0; axis < D; ++axis) corner[axis] = static_cast<std::uint32_t>(seed.rows[2 + axis]);
+      const auto corner = corner_of(seed);
       nodes.push_back({corner, kind, std::move(seed)});
     }
   };
