@@ -178,11 +178,13 @@ struct Samples
 };
 
 /// Samples at `count` points; empty if too few points are found where the linear subresultant is known.
-Samples sample(const Prime_field& field, const Modular_pair& pair, std::size_t count, bool with_linear)
+Samples sample(const Prime_field& field, const Modular_pair& pair, std::size_t count, bool with_linear,
+               const Checkpoint& checkpoint)
 {
   Samples samples;
   const std::uint64_t patience = 3 * count + 100;
   for (std::uint64_t t = 0; samples.points.size() < count; ++t) {
+    if (checkpoint) checkpoint();
     if (with_linear && t > patience) return {};
     const auto value = pair.evaluate(field.from_residue(t));
     if (!value || (with_linear && !value->has_linear)) continue;
@@ -207,14 +209,13 @@ Elimination eliminate(const Bivariate& f, const Bivariate& g, const Checkpoint& 
   std::array<Chinese_remainder, 3> remainders;
   bool with_linear = n > 0 && m > 0;
   for (Large_primes primes; mpz_sizeinbase(remainders[0].modulus().get_mpz_t(), 2) <= bits + 1;) {
-    if (checkpoint) checkpoint();
     const Prime_field field(primes.next());
     const Modular_pair pair(field, f, g);
     if (!pair.is_lucky()) continue;
-    auto samples = sample(field, pair, degree_bound + 1, with_linear);
+    auto samples = sample(field, pair, degree_bound + 1, with_linear, checkpoint);
     if (samples.points.empty()) {
       with_linear = false;
-      samples = sample(field, pair, degree_bound + 1, false);
+      samples = sample(field, pair, degree_bound + 1, false, checkpoint);
     }
     const Interpolation interpolation(field, samples.points);
     remainders[0].add(field.prime(), interpolation(samples.resultant));

@@ -34,7 +34,7 @@ struct Elimination
 /// \brief The resultant of f and g with respect to y and their linear subresultant.
 ///
 /// Evaluation at enough x modulo enough primes; the sizes are bounded in advance (Hadamard), nothing is left to chance.
-/// \pre Neither is zero. \throw whatever `checkpoint` throws; it is called for each prime.
+/// \pre Neither is zero. \throw whatever `checkpoint` throws; it is called for each point.
 /// \par Reference  Collins 1971, "The calculation of multivariate polynomial resultants".
 [[nodiscard]] Elimination eliminate(const Bivariate& f, const Bivariate& g, const Checkpoint& checkpoint = {});
 

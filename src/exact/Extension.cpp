@@ -17,31 +17,6 @@ void trim(Rational_coefficients& a)
   while (!a.empty() && a.back() == 0) a.pop_back();
 }
 
-Rational_coefficients rational_product(const Rational_coefficients& a, const Rational_coefficients& b)
-{
-  if (a.empty() || b.empty()) return {};
-  Rational_coefficients result(a.size() + b.size() - 1);
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = 0; j < b.size(); ++j) result[i + j] += a[i] * b[j];
-  return result;
-}
-
-/// Divides a by b over Q: a becomes the remainder, the quotient is returned.
-Rational_coefficients divide_rational(Rational_coefficients& a, const Rational_coefficients& b)
-{
-  if (a.size() < b.size()) return {};
-  Rational_coefficients result(a.size() - b.size() + 1);
-  for (std::size_t k = result.size(); k-- > 0;) {
-    if (a.size() < k + b.size()) continue;
-    const Rational factor = a.back() / b.back();
-    result[k] = factor;
-    for (std::size_t i = 0; i + 1 < b.size(); ++i) a[k + i] -= factor * b[i];
-    a.pop_back();
-    trim(a);
-  }
-  return result;
-}
-
 Integer_polynomial to_integer(const Rational_coefficients& a)
 {
   Integer denominator = 1;
@@ -56,10 +31,14 @@ class Flint_polynomial
 {
 public:
   Flint_polynomial() { fmpq_poly_init(value_); }
-  explicit Flint_polynomial(const Rational_coefficients& a)
+  explicit Flint_polynomial(const Rational_coefficients& a) : Flint_polynomial()
   {
-    fmpq_poly_init(value_);
-    for (std::size_t i = 0; i < a.size(); ++i) fmpq_poly_set_coeff_mpq(value_, static_cast<slong>(i), a[i].get_mpq_t());
+    Integer denominator = 1; // one for all: coefficient by coefficient, FLINT would reduce the whole each time
+    for (const Rational& c : a) denominator = lcm(denominator, c.get_den());
+    Integer_polynomial numerators;
+    for (const Rational& c : a) numerators.push_back(c.get_num() * (denominator / c.get_den()));
+    fmpq_poly_set_fmpz_poly(value_, Flint_integer_polynomial(numerators).get());
+    fmpq_poly_scalar_div_mpz(value_, value_, denominator.get_mpz_t());
   }
   Flint_polynomial(const Flint_polynomial&) = delete;
   Flint_polynomial& operator=(const Flint_polynomial&) = delete;
@@ -106,9 +85,12 @@ Extension::Extension(Integer_polynomial m, Real_root alpha) : m_(std::move(m)), 
 
 Rational_coefficients Extension::reduce(Rational_coefficients a) const
 {
+  alpha_.check();
   trim(a);
-  (void)divide_rational(a, monic_);
-  return a;
+  if (a.size() < monic_.size()) return a;
+  Flint_polynomial value(a);
+  fmpq_poly_rem(value.get(), value.get(), Flint_polynomial(monic_).get());
+  return value.coefficients();
 }
 
 Rational_coefficients Extension::negative(Rational_coefficients a)
@@ -132,11 +114,17 @@ void Extension::subtract(Rational_coefficients& a, const Rational_coefficients& 
 
 Rational_coefficients Extension::multiply(const Rational_coefficients& a, const Rational_coefficients& b) const
 {
-  return reduce(rational_product(a, b));
+  alpha_.check();
+  if (a.empty() || b.empty()) return {};
+  Flint_polynomial value(a);
+  fmpq_poly_mul(value.get(), value.get(), Flint_polynomial(b).get());
+  fmpq_poly_rem(value.get(), value.get(), Flint_polynomial(monic_).get());
+  return value.coefficients();
 }
 
 Rational_coefficients Extension::inverse(const Rational_coefficients& a) const
 {
+  alpha_.check();
   const Flint_polynomial element(a);
   const Flint_polynomial modulus(monic_);
   Flint_polynomial common;

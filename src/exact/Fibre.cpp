@@ -158,9 +158,10 @@ Fibre::Fibre(const Triangular_zero<2>& point)
 std::optional<Triangular_zero<3>> Fibre::zero_in(const std::vector<Polynomial<Integer, 3>>& system,
                                                  const Rational_interval& side, const Checkpoint& checkpoint)
 {
+  alpha_.set_checkpoint(checkpoint);
   const auto t = common_part(system);
   if (t.size() < 2) return std::nullopt;
-  const auto z = bracket(t, side, checkpoint);
+  const auto z = bracket(t, side);
   if (!z) return std::nullopt;
   return chain(t, *z);
 }
@@ -212,11 +213,9 @@ Rational_interval Fibre::enclose(const Extension_polynomial& element) const
   return value;
 }
 
-std::optional<Rational_interval> Fibre::bracket(const Tower_polynomial& t, const Rational_interval& side,
-                                                const Checkpoint& checkpoint)
+std::optional<Rational_interval> Fibre::bracket(const Tower_polynomial& t, const Rational_interval& side)
 {
   for (unsigned depth = 2;; depth += 2) {
-    if (checkpoint) checkpoint();
     refine();
     Interval_coefficients c;
     for (const auto& element : t) c.push_back(enclose(element));

@@ -34,8 +34,7 @@ private:
   /// t over the fibre; constant if there is no common zero, complex ones included.
   [[nodiscard]] Tower_polynomial common_part(const std::vector<Polynomial<Integer, 3>>& system);
   /// A side over which t has a root and changes sign, with alpha and beta refined until that is clear.
-  [[nodiscard]] std::optional<Rational_interval> bracket(const Tower_polynomial& t, const Rational_interval& side,
-                                                         const Checkpoint& checkpoint);
+  [[nodiscard]] std::optional<Rational_interval> bracket(const Tower_polynomial& t, const Rational_interval& side);
   [[nodiscard]] Triangular_zero<3> chain(const Tower_polynomial& t, const Rational_interval& z);
   void refine();
   [[nodiscard]] Rational_interval enclose(const Extension_polynomial& element) const;

@@ -91,9 +91,10 @@ Plane_system::Plane_system(Polynomial<Integer, 2> f, Polynomial<Integer, 2> g) :
 void Plane_system::eliminate_y(const Checkpoint& checkpoint)
 {
   if (elimination_) return;
-  elimination_ = eliminate(bivariate(f_, 1), bivariate(g_, 1), checkpoint);
-  for (auto& factor : square_free_decomposition(elimination_->resultant))
+  auto elimination = eliminate(bivariate(f_, 1), bivariate(g_, 1), checkpoint);
+  for (auto& factor : square_free_decomposition(elimination.resultant, checkpoint))
     if (degree(factor) > 0) first_.push_back(std::make_shared<const Integer_polynomial>(std::move(factor)));
+  elimination_ = std::move(elimination); // last: a checkpoint that throws leaves nothing half done
 }
 
 std::vector<Triangular_zero<2>> Plane_system::zeros_in(const Rational_box<2>& box, bool first_only, bool with_chain,
@@ -103,15 +104,16 @@ std::vector<Triangular_zero<2>> Plane_system::zeros_in(const Rational_box<2>& bo
   if (f_.is_constant() || g_.is_constant()) return zeros;
   eliminate_y(checkpoint);
   for (Real_root alpha : first_coordinates(box[0], checkpoint)) {
-    if (checkpoint) checkpoint();
+    alpha.set_checkpoint(checkpoint);
     const auto fibre = over(alpha, box[1]);
     if (fibre == Over::one)
       zeros.push_back(with_chain ? linear_zero(alpha, box[1]) : Triangular_zero<2>{{}, {}, {alpha.interval(), box[1]}});
     if (fibre == Over::many) {
       if (!second_)
         second_ = std::make_shared<const Integer_polynomial>(
-            square_free_part(eliminate(bivariate(f_, 0), bivariate(g_, 0), checkpoint).resultant));
+            square_free_part(eliminate(bivariate(f_, 0), bivariate(g_, 0), checkpoint).resultant, checkpoint));
       for (auto& beta : isolate_simple_roots(second_, box[1], checkpoint)) {
+        beta.set_checkpoint(checkpoint);
         if (excluded(alpha, beta)) continue;
         if (auto zero = common_zero(alpha, beta, checkpoint)) zeros.push_back(std::move(*zero));
       }

@@ -42,7 +42,7 @@ Cell_decision<1> real_root_in(const Polynomial<Integer, 1>& g, const Rational_in
 {
   Integer_polynomial p(g.degree(0) + 1U);
   for (const auto& term : g.terms()) p[term.exponents[0]] = term.coefficient;
-  const auto free = std::make_shared<const Integer_polynomial>(square_free_part(p));
+  const auto free = std::make_shared<const Integer_polynomial>(square_free_part(p, checkpoint));
   const auto roots = isolate_simple_roots(free, side, checkpoint);
   if (roots.empty()) return {Verdict::empty, Rung::algebra, std::monostate{}, {}};
   const auto& root = roots.front();

@@ -4,9 +4,9 @@
 #include "Zero_set.h"
 #include "corners.h"
 #include "decide_cells.h"
+#include "require_nonzero.h"
 #include "restriction.h"
 
-#include <corral/errors.h>
 #include <corral/number/Mpfr_interval.h>
 #include <corral/number/Outward_interval.h>
 #include <corral/polynomial/square_free.h>
@@ -86,8 +86,7 @@ template <std::size_t D>
 Cell_decider<D>::Cell_decider(const Polynomial<Rational, D>& f, const Grid<D>& grid, Checkpoint checkpoint,
                               Witnesses witnesses)
 {
-  if (f.is_zero())
-    throw Invalid_input("exact decision: the polynomial is zero; expected one that does not vanish everywhere");
+  exact::require_nonzero(f.is_zero(), "exact decision");
   state_ = std::make_unique<State>(f, grid, checkpoint, witnesses);
 }
 

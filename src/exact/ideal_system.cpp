@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Common_zeros.h"
 #include "decide_cells.h"
+#include "require_nonzero.h"
 
 #include <corral/errors.h>
 #include <corral/polynomial/integer_form.h>
@@ -26,9 +27,7 @@ System_decider<D>::System_decider(const std::vector<Polynomial<Rational, D>>& sy
   if (system.empty() || system.size() > 2)
     throw Invalid_input("exact decision: a system of " + detail::quantity(system.size(), "polynomial")
                         + "; expected one or two");
-  for (const auto& f : system)
-    if (f.is_zero())
-      throw Invalid_input("exact decision: a polynomial of the system is zero; expected none that vanishes everywhere");
+  for (const auto& f : system) exact::require_nonzero(f.is_zero(), "exact decision");
   std::vector<exact::Bernstein_form<D>> forms;
   forms.reserve(system.size());
   for (const auto& f : system)

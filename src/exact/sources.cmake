@@ -1,5 +1,7 @@
 target_sources(corral PRIVATE
   exact/Integer_polynomial.cpp
+  exact/integer_polynomial_gcd.cpp
+  exact/integer_polynomial_values.cpp
   exact/Bernstein_form.cpp
   exact/Bivariate.cpp
   exact/Common_zeros.cpp
@@ -14,7 +16,9 @@ target_sources(corral PRIVATE
   exact/ideal_raster.cpp
   exact/ideal_system.cpp
   exact/restriction.cpp
+  exact/Real_root.cpp
   exact/real_roots.cpp
+  exact/simplest_rational.cpp
   exact/zero_on_segment.cpp)
 
 # Oracles of other makers, for tests and audits only; nothing of the library needs them.

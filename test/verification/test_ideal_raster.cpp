@@ -424,6 +424,44 @@ TEST(Ideal_raster, keeps_what_is_proved_when_stopped)
   whole.for_each([&](const Cell<2>& cell, Verdict) { EXPECT_NE(raster.cells.at(cell), Verdict::empty); });
 }
 
+/// Stops a decision again and again, each time later, until it comes to an end.
+template <std::size_t D>
+std::pair<Verdict, int> decide_with_stops(const std::string& text, const Rational_box<D>& box, std::uint32_t resolution,
+                                          const Cell<D>& cell)
+{
+  constexpr std::array<const char*, 3> names = {"x", "y", "z"};
+  std::array<std::string, D> variables;
+  for (std::size_t k = 0; k < D; ++k) variables[k] = names[k];
+  Resolution<D> side;
+  side.fill(resolution);
+  long left = 0;
+  Cell_decider<D> decider(parse_polynomial<D>(text, variables), Grid<D>(box, side), [&left] {
+    if (left-- <= 0) throw Cancelled("stopped by the test");
+  });
+  int stops = 0;
+  for (long calls = 0;; calls += 1 + calls / 4, ++stops) {
+    left = calls;
+    try {
+      return {decider.decide(cell).verdict, stops};
+    } catch (const Cancelled&) {
+    }
+  }
+}
+
+TEST(Ideal_raster, decides_right_after_it_was_stopped_anywhere)
+{
+  const auto check = [](std::pair<Verdict, int> result, Verdict truth, const std::string& text) {
+    EXPECT_EQ(result.first, truth) << text;
+    EXPECT_GT(result.second, 10) << text; // it was stopped at all
+  };
+  const std::string point = "(x^2-2)^2+(y^2-3)^2";
+  check(decide_with_stops<2>(point, around, 4, {3, 3}), Verdict::hit, point);
+  const std::string valley = "((8*x^4-8*x^2+1)-(16*y^5-20*y^3+5*y))^2+1/10^30";
+  check(decide_with_stops<2>(valley, around, 4, {2, 2}), Verdict::empty, valley);
+  const std::string space = "(x^2-2)^2+(y^2-3)^2+(z^2-5)^2";
+  check(decide_with_stops<3>(space, room, 3, {2, 2, 2}), Verdict::hit, space);
+}
+
 TEST(Ideal_raster, refuses_the_zero_polynomial)
 {
   EXPECT_THROW((void)ideal_raster(Polynomial<Rational, 2>(), Grid<2>(around, {4, 4}), {}), Invalid_input);

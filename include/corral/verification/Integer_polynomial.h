@@ -5,6 +5,7 @@
 #include <corral/number/Rational.h>
 #include <corral/number/Rational_interval.h>
 #include <corral/polynomial/Polynomial.h>
+#include <corral/verification/Checkpoint.h>
 
 #include <cstddef>
 #include <vector>
@@ -47,19 +48,22 @@ void trim(Integer_polynomial& p);
 [[nodiscard]] bool divides(const Integer_polynomial& q, const Integer_polynomial& p);
 
 /// \brief The primitive greatest common divisor, by images modulo primes and a trial division that proves it.
-/// \pre not both are zero. \par Reference  Brown 1971; von zur Gathen and Gerhard, "Modern Computer Algebra", 6.7.
-[[nodiscard]] Integer_polynomial greatest_common_divisor(const Integer_polynomial& p, const Integer_polynomial& q);
+/// \pre not both are zero. \throw whatever `checkpoint` throws; it is called for each prime.
+/// \par Reference  Brown 1971; von zur Gathen and Gerhard, "Modern Computer Algebra", 6.7.
+[[nodiscard]] Integer_polynomial greatest_common_divisor(const Integer_polynomial& p, const Integer_polynomial& q,
+                                                         const Checkpoint& checkpoint = {});
 
 /// p without its multiplicities, primitive. \pre p is not zero.
-[[nodiscard]] Integer_polynomial square_free_part(const Integer_polynomial& p);
+[[nodiscard]] Integer_polynomial square_free_part(const Integer_polynomial& p, const Checkpoint& checkpoint = {});
 
 /// \brief Square-free, pairwise coprime factors: p = c * product of result[k]^(k+1).
 /// \pre p is not zero. \par Reference  Yun 1976.
-[[nodiscard]] std::vector<Integer_polynomial> square_free_decomposition(const Integer_polynomial& p);
+[[nodiscard]] std::vector<Integer_polynomial> square_free_decomposition(const Integer_polynomial& p,
+                                                                        const Checkpoint& checkpoint = {});
 
 /// A positive multiple of p(offset + scale * x), primitive. \pre scale > 0.
 [[nodiscard]] Integer_polynomial compose_affine(const Integer_polynomial& p, const Rational& offset,
-                                                const Rational& scale);
+                                                const Rational& scale, const Checkpoint& checkpoint = {});
 
 } // namespace corral
 

@@ -2,19 +2,16 @@
 #ifndef CORRAL_VERIFICATION_REAL_ROOTS_H
 #define CORRAL_VERIFICATION_REAL_ROOTS_H
 
+#include <corral/verification/Checkpoint.h>
 #include <corral/verification/Integer_polynomial.h>
 
-#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 /// \file
 /// Real roots of integer polynomials: isolation, refinement, counting, signs. All exact.
 namespace corral {
-
-/// \brief Called now and then by exact computations that may run long. It stops them by throwing, `Cancelled` as a
-/// rule.
-using Checkpoint = std::function<void()>;
 
 /// \brief One real root of a polynomial, known by an isolating interval that can be made as short as wanted.
 ///
@@ -49,7 +46,16 @@ public:
   /// The sign of the root minus x, exactly.
   [[nodiscard]] int compare(const Rational& x);
 
+  /// From now on `checkpoint` is called before what may take long; whatever it throws leaves the root valid.
+  void set_checkpoint(Checkpoint checkpoint) { checkpoint_ = std::move(checkpoint); }
+  /// Calls the checkpoint, if there is one.
+  void check() const
+  {
+    if (checkpoint_) checkpoint_();
+  }
+
 private:
+  [[nodiscard]] int sign_at(const Rational& x) const;
   void narrow(Rational low, Rational high);
 
   std::shared_ptr<const Integer_polynomial> polynomial_;
@@ -58,6 +64,7 @@ private:
   int lower_sign_ = 0;
   unsigned log_parts_ = 2;
   bool known_irrational_ = false;
+  Checkpoint checkpoint_{};
 };
 
 /// \brief The distinct real roots of p in the closed interval, in increasing order, with disjoint isolating intervals
