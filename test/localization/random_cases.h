@@ -33,7 +33,8 @@ Grid<D> random_grid(Trouble_source& random, long most_cells)
   Resolution<D> resolution;
   for (std::size_t axis = 0; axis < D; ++axis) {
     const Rational lower = -abs(random.full_mantissa());
-    const Rational width = abs(random.full_mantissa()) + Rational(1, random.integer(3, 99));
+    const Rational least(1, random.integer(3, 99)); // drawn first by every compiler
+    const Rational width = abs(random.full_mantissa()) + least;
     box[axis] = Rational_interval(lower, lower + width);
     resolution[axis] = static_cast<std::uint32_t>(random.integer(1, most_cells));
   }

@@ -44,7 +44,7 @@ Case<D> random_case(Trouble_source& random, unsigned degree, long most_cells)
   for (std::size_t axis = 0; axis < D; ++axis) {
     const auto line = static_cast<std::uint32_t>(random.integer(0, result.grid.resolution()[axis] - 1));
     result.zero[axis] = result.grid.line(axis, line);
-    if (random.integer(0, 2) > 0) result.zero[axis] += result.grid.step(axis) * Rational(random.integer(0, 99), 100);
+    if (random.integer(0, 2) > 0) result.zero[axis] += result.grid.step(axis) * random.integer(0, 99) / 100;
   }
   for (long count = random.integer(2, 4); count > 0; --count) {
     const auto f = random_polynomial<D>(random, degree);

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -37,8 +38,7 @@ public:
   /// \pre One bounder for each polynomial, in the same order. An `Arithmetic_scope` of I is alive.
   Bounder_form(System system, std::vector<B> bounders, Grid<D> grid, Localization_options options)
       : system_(std::move(system)), bounders_(std::move(bounders)), grid_(std::move(grid)),
-        options_(std::move(options)), tree_(grid_.resolution()), stack_(tree_.root().level + 1),
-        middles_(stack_.size())
+        options_(std::move(options)), tree_(grid_.resolution()), stack_(tree_.root().level + 1), middles_(stack_.size())
   {}
 
   bool begin(const Node& root)
@@ -86,6 +86,8 @@ public:
   }
 
 private:
+  using Clock = std::chrono::steady_clock;
+
   /// The two ends of each side of a box, each an enclosure of a grid line.
   using Sides = std::array<std::pair<I, I>, D>;
 
@@ -119,6 +121,7 @@ private:
   {
     return std::all_of(bounders_.begin(), bounders_.end(), [&](const B& bounder) {
       ++result_.counters.bounds;
+      if (options_.progress && result_.counters.bounds % 16 == 0) tell_if_slow();
       return contains_zero(bounder.bound(box));
     });
   }
@@ -175,8 +178,20 @@ private:
     for (std::size_t axis = 0; axis < D; ++axis)
       share *= (tree_.end(node, axis) - node.corner[axis]) / static_cast<double>(grid_.resolution()[axis]);
     done_ += share;
-    if (options_.progress && ++reports_ % 256 == 0 && !options_.progress(std::min(done_, 1.0)))
-      throw Cancelled("localize: stopped on request");
+    if (++reports_ % 256 == 0) tell();
+  }
+
+  // Bounds over exact fractions may take long each, so that nodes are not done for many seconds.
+  void tell_if_slow()
+  {
+    const auto now = Clock::now();
+    if (now - told_ > std::chrono::milliseconds(100)) tell();
+  }
+
+  void tell()
+  {
+    told_ = Clock::now();
+    if (options_.progress && !options_.progress(std::min(done_, 1.0))) throw Cancelled("localize: stopped on request");
   }
 
   System system_;
@@ -189,6 +204,7 @@ private:
   Localization<D> result_;
   std::uint64_t emitted_ = 0;
   std::uint64_t reports_ = 0;
+  Clock::time_point told_ = Clock::now();
   double done_ = 0;
 };
 
