@@ -34,7 +34,7 @@ unsigned task_level(const Plan<D>& plan)
 {
   constexpr unsigned least_depth = D == 2 ? 5 : 3;
   constexpr unsigned most_depth = D == 2 ? 12 : 6;
-  constexpr unsigned least_levels = 3; // left to a task
+  constexpr unsigned least_levels = D == 2 ? 5 : 3; // left to a task
   constexpr unsigned most_levels = D == 2 ? 7 : 6;
   const unsigned levels = plan.root_level - plan.leaf_level;
   if (levels < least_depth + least_levels) return 0;
