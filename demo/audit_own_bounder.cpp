@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// \file
 /// A bounding method of one's own, wrong at first: the audit shows a polynomial, a box and a point where it fails.
+#include <corral/audit/audit_bounder.h>
 #include <corral/number/Outward_interval.h>
 #include <corral/polynomial/evaluate.h>
-#include <corral/verification/audit_bounder.h>
 
 #include <iostream>
 

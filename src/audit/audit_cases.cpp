@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "case_polynomials.h"
 
+#include <corral/audit/Trouble_source.h>
+#include <corral/audit/audit_cases.h>
 #include <corral/number/Double_bracket.h>
 #include <corral/polynomial/arithmetic.h>
 #include <corral/polynomial/evaluate.h>
 #include <corral/polynomial/print.h>
-#include <corral/verification/Trouble_source.h>
-#include <corral/verification/audit_cases.h>
 
 #include <algorithm>
 #include <cmath>

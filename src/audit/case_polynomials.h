@@ -2,8 +2,8 @@
 #ifndef CORRAL_SRC_AUDIT_CASE_POLYNOMIALS_H
 #define CORRAL_SRC_AUDIT_CASE_POLYNOMIALS_H
 
+#include <corral/audit/Trouble_source.h>
 #include <corral/polynomial/Polynomial.h>
-#include <corral/verification/Trouble_source.h>
 
 #include <cstddef>
 

@@ -3,9 +3,9 @@
 
 #include "fault_harness.h"
 
+#include <corral/audit/audit_bounder.h>
+#include <corral/audit/audit_number.h>
 #include <corral/bounders/Mean_value_bounder.h>
-#include <corral/verification/audit_bounder.h>
-#include <corral/verification/audit_number.h>
 
 namespace corral::audit {
 namespace {

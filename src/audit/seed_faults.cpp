@@ -3,7 +3,7 @@
 
 #include "fault_harness.h"
 
-#include <corral/verification/audit_bounder.h>
+#include <corral/audit/audit_bounder.h>
 
 #include <utility>
 

@@ -2,7 +2,7 @@
 #ifndef CORRAL_AUDIT_SEED_FAULTS_H
 #define CORRAL_AUDIT_SEED_FAULTS_H
 
-#include <corral/verification/Audit_options.h>
+#include <corral/audit/Audit_options.h>
 
 #include <cstdint>
 #include <string>

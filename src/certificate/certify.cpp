@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "../exact/Bernstein_form.h"
+#include "../algebra/Bernstein_form.h"
 #include "validate.h"
 
+#include <corral/certificate/certificate.h>
+#include <corral/decision/ideal_system.h>
 #include <corral/localization/Subdivision.h>
 #include <corral/polynomial/integer_form.h>
 #include <corral/polynomial/square_free.h>
 #include <corral/polynomial/substitution.h>
-#include <corral/verification/certificate.h>
-#include <corral/verification/ideal_system.h>
 
 #include <algorithm>
 #include <functional>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "validate.h"
 
-#include "../exact/Bernstein_form.h"
+#include "../algebra/Bernstein_form.h"
 
+#include <corral/algebra/Integer_polynomial.h>
 #include <corral/polynomial/arithmetic.h>
 #include <corral/polynomial/evaluate.h>
 #include <corral/polynomial/integer_form.h>
 #include <corral/polynomial/substitution.h>
-#include <corral/verification/Integer_polynomial.h>
 
 #include <algorithm>
 #include <numeric>

@@ -2,8 +2,8 @@
 #ifndef CORRAL_CERTIFICATE_VALIDATE_H
 #define CORRAL_CERTIFICATE_VALIDATE_H
 
+#include <corral/decision/Witness.h>
 #include <corral/polynomial/Polynomial.h>
-#include <corral/verification/Witness.h>
 
 #include <cstddef>
 

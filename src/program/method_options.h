@@ -2,7 +2,7 @@
 #ifndef CORRAL_PROGRAM_METHOD_OPTIONS_H
 #define CORRAL_PROGRAM_METHOD_OPTIONS_H
 
-#include "engine.h"
+#include "localize/engine.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "localization/paper_polynomials.h"
 
+#include <corral/audit/audit_bounder.h>
+#include <corral/audit/audit_number.h>
 #include <corral/bounders/Any_bounder.h>
 #include <corral/number/Counted.h>
 #include <corral/number/Nearest_interval.h>
@@ -8,8 +10,6 @@
 #include <corral/number/Rational_interval.h>
 #include <corral/polynomial/evaluate.h>
 #include <corral/polynomial/parse.h>
-#include <corral/verification/audit_bounder.h>
-#include <corral/verification/audit_number.h>
 
 #include <gtest/gtest.h>
 

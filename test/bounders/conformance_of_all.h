@@ -4,8 +4,8 @@
 
 #include "rounds.h"
 
+#include <corral/audit/audit_bounder.h>
 #include <corral/bounders/all.h>
-#include <corral/verification/audit_bounder.h>
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rounds.h"
 
+#include <corral/audit/Trouble_source.h>
+#include <corral/audit/audit_cases.h>
 #include <corral/bounders/Any_bounder.h>
 #include <corral/bounders/all.h>
 #include <corral/errors.h>
 #include <corral/number/Outward_interval.h>
 #include <corral/number/Rational_interval.h>
 #include <corral/polynomial/substitution.h>
-#include <corral/verification/Trouble_source.h>
-#include <corral/verification/audit_cases.h>
 
 #include <gtest/gtest.h>
 

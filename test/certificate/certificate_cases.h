@@ -2,8 +2,8 @@
 #ifndef CORRAL_TEST_CERTIFICATE_CERTIFICATE_CASES_H
 #define CORRAL_TEST_CERTIFICATE_CERTIFICATE_CASES_H
 
+#include <corral/certificate/certificate.h>
 #include <corral/polynomial/parse.h>
-#include <corral/verification/certificate.h>
 
 #include <cstdio>
 #include <fstream>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "claims.h"
 
+#include <corral/decision/ideal_raster.h>
 #include <corral/polynomial/arithmetic.h>
-#include <corral/verification/ideal_raster.h>
 
 #include <algorithm>
 

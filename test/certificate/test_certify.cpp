@@ -4,8 +4,8 @@
 
 #include <localization/paper_polynomials.h>
 
+#include <corral/decision/ideal_system.h>
 #include <corral/polynomial/square_free.h>
-#include <corral/verification/ideal_system.h>
 
 #include <gtest/gtest.h>
 

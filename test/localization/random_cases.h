@@ -2,9 +2,9 @@
 #ifndef CORRAL_TEST_LOCALIZATION_RANDOM_CASES_H
 #define CORRAL_TEST_LOCALIZATION_RANDOM_CASES_H
 
+#include <corral/audit/Trouble_source.h>
 #include <corral/localization/Grid.h>
 #include <corral/polynomial/arithmetic.h>
-#include <corral/verification/Trouble_source.h>
 
 /// \file
 /// Polynomials and grids whose coefficients and sides fill the mantissa.

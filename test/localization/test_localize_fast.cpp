@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include <corral/audit/Trouble_source.h>
 #include <corral/localization/localize_fast.h>
-#include <corral/verification/Trouble_source.h>
 
 #include "exact_cells.h"
 #include "localization/fast/Subdivider.h"

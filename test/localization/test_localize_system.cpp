@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include <corral/audit/Trouble_source.h>
 #include <corral/errors.h>
 #include <corral/localization/localize_fast.h>
 #include <corral/polynomial/evaluate.h>
 #include <corral/polynomial/parse.h>
-#include <corral/verification/Trouble_source.h>
 
 #include "exact_cells.h"
 #include "paper_polynomials.h"

@@ -3,11 +3,11 @@
 
 #include <corral/bounders/Modified_affine_bounder.h>
 #include <corral/bounders/Recursive_taylor_bounder.h>
+#include <corral/decision/ideal_raster.h>
 #include <corral/localization/localize.h>
 #include <corral/localization/localize_fast.h>
 #include <corral/number/Nearest_interval.h>
 #include <corral/polynomial/evaluate.h>
-#include <corral/verification/ideal_raster.h>
 
 #include <gtest/gtest.h>
 

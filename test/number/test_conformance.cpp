@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rounds.h"
 
+#include <corral/audit/audit_number.h>
 #include <corral/number/all.h>
-#include <corral/verification/audit_number.h>
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rounds.h"
 
+#include <corral/audit/Trouble_source.h>
 #include <corral/number/Cgal_interval.h>
 #include <corral/number/Nearest_interval.h>
 #include <corral/number/Outward_interval.h>
 #include <corral/number/format.h>
-#include <corral/verification/Trouble_source.h>
 
 #include <gtest/gtest.h>
 

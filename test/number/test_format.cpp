@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rounds.h"
 
+#include <corral/audit/Trouble_source.h>
 #include <corral/number/Outward_interval.h>
 #include <corral/number/Rational_interval.h>
 #include <corral/number/format.h>
-#include <corral/verification/Trouble_source.h>
 
 #include <gtest/gtest.h>
 

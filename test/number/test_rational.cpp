@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rounds.h"
 
+#include <corral/audit/Trouble_source.h>
 #include <corral/errors.h>
 #include <corral/number/Rational.h>
-#include <corral/verification/Trouble_source.h>
 
 #include <gtest/gtest.h>
 

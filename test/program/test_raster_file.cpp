@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "Raster_file.h"
+#include "program/audit/Raster_file.h"
 #include "rounds.h"
 
 #include <corral/errors.h>

@@ -1,30 +1,26 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-# Checks what files include. A public header includes only its own floor and lower ones, and the two top floors ignore
-# each other. An area of the sources keeps to the floor that it serves, and the checker shares nothing with the library.
+# Checks what files include. A file includes only its own floor and lower ones; floors of the same height ignore each
+# other. The sources have the same floors, the programs stand above them all, and the checker shares nothing with them.
 # usage: cmake -D PROJECT_FOLDER=<folder that holds include/corral/ and src/> -P check_floors.cmake
 cmake_minimum_required(VERSION 3.25)
 
-# What the headers of a folder may include; headers directly in corral/, such as errors.h, are below all floors.
-set(seen_from_. ".")
-set(seen_from_number . number)
-set(seen_from_polynomial ${seen_from_number} polynomial)
-set(seen_from_bounders ${seen_from_polynomial} bounders)
-set(seen_from_localization ${seen_from_bounders} localization)
-set(seen_from_output ${seen_from_localization} output)
-set(seen_from_verification ${seen_from_localization} verification)
-
-# What the areas of src/ may include: floors, and areas beside their own.
-foreach(floor number polynomial localization output)
+# The height of each floor. Headers directly in corral/, such as errors.h, are below all floors.
+set(floors . number polynomial algebra bounders localization decision certificate audit geometry distribution output)
+set(heights -1 0 1 2 2 3 4 5 5 5 6 6)
+foreach(floor height IN ZIP_LISTS floors heights)
+  set(seen_from_${floor} ${floor})
+  foreach(other other_height IN ZIP_LISTS floors heights)
+    if(other_height LESS height)
+      list(APPEND seen_from_${floor} ${other})
+    endif()
+  endforeach()
   set(floors_for_${floor} ${seen_from_${floor}})
+  set(areas_for_${floor} ${seen_from_${floor}})
 endforeach()
-foreach(area exact certificate audit)
-  set(floors_for_${area} ${seen_from_verification})
-endforeach()
-set(areas_for_exact polynomial)
-set(areas_for_certificate exact)
-set(floors_for_program ${seen_from_verification} output)
-set(areas_for_program exact certificate audit localization output)
+set(floors_for_program ${floors})
+set(areas_for_program ${floors})
 set(floors_for_checker "")
+set(areas_for_checker "")
 
 set(violations 0)
 macro(complain text)

@@ -27,6 +27,10 @@ template <IntervalNumber I, std::size_t D>
   return result;
 }
 
+/// A point with rational coordinates.
+template <std::size_t D>
+using Rational_point = std::array<Rational, D>;
+
 } // namespace corral
 
 #endif

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CORRAL_AUDIT_AUDIT_OPTIONS_H
+#define CORRAL_AUDIT_AUDIT_OPTIONS_H
+
+#include <cstdint>
+#include <functional>
+
+namespace corral {
+
+/// How long an audit looks for a counterexample, and among which cases.
+struct Audit_options
+{
+  std::uint64_t seed = 1;
+  /// The number of the first case. A case follows from the seed and its number alone, so that the case of an escape can
+  /// be replayed without those before it.
+  std::uint64_t first_case = 0;
+  std::uint64_t cases = 1000;
+  std::uint64_t tightness_cases = 0; ///< boxes on which bounds are compared with the exact range (D <= 3)
+  bool stop_at_first = false;        ///< end with the first case that shows a fault
+  /// Called before each case with the share done, 0 to 1; `false` stops, and what was counted by then is returned.
+  std::function<bool(double)> progress{};
+};
+
+} // namespace corral
+
+#endif

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CORRAL_AUDIT_AUDIT_NUMBER_H
+#define CORRAL_AUDIT_AUDIT_NUMBER_H
+
+#include <corral/audit/Audit_options.h>
+#include <corral/audit/Trouble_source.h>
+#include <corral/number/Interval_number.h>
+#include <corral/number/Rational_interval.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace corral {
+
+/// A counterexample to the contract of `IntervalNumber`.
+struct Number_fault
+{
+  std::uint64_t case_number = 0;
+  std::string operation; ///< what went wrong, such as "sum"
+  std::string text;      ///< the whole counterexample on several lines, every number exactly
+};
+
+/// What an audit of a number type saw.
+struct Number_audit
+{
+  std::string number;
+  std::uint64_t cases = 0;  ///< pairs of operands
+  std::uint64_t checks = 0; ///< exact values looked for in results
+  std::uint64_t faults = 0; ///< pairs of operands with a wrong result
+  std::optional<Number_fault> first_fault;
+};
+
+namespace detail {
+
+/// \brief All operations on one pair of operands.
+///
+/// The operands of every operation are the intervals that `enclose` gave, and the arguments tried are their own exact
+/// end points, zero, and numbers between, so that one missing rounding in one operation shows.
+template <IntervalNumber I>
+class Number_case
+{
+public:
+  Number_case(std::uint64_t seed, std::uint64_t number) : number_(number), source_(seed * 0x9e3779b97f4a7c15U + number)
+  {
+    const Operand x = operand();
+    const Operand y = source_.chance(20) ? x : operand();
+    check_enclosure(x);
+    check_end_points(x);
+    check_hull(x, y);
+    check_unary(x);
+    check_binary(x, y);
+  }
+
+  /// How many exact values were looked for in a result.
+  [[nodiscard]] std::uint64_t checks() const { return checks_; }
+  /// The first wrong result.
+  [[nodiscard]] const std::optional<Number_fault>& fault() const { return fault_; }
+
+private:
+  struct Operand
+  {
+    Rational_interval given;
+    I interval;
+    std::vector<Rational> values;
+  };
+
+  Operand operand()
+  {
+    Operand result{source_.interval(), {}, {}};
+    result.interval = enclose<I>(result.given.lower(), result.given.upper());
+    const Rational beyond = Rational(Integer(1) << 1100);
+    const Rational low = exact_lower(result.interval).value_or(Rational(result.given.lower() - beyond));
+    const Rational high = exact_upper(result.interval).value_or(Rational(result.given.upper() + beyond));
+    result.values = {low, high, (low + 2 * high) / 3};
+    if (sgn(low) < 0 && sgn(high) > 0) result.values.emplace_back(0);
+    return result;
+  }
+
+  void check_enclosure(const Operand& x)
+  {
+    expect(contains(x.interval, x.given.lower()) && contains(x.interval, x.given.upper()), "enclose", x);
+    for (const auto& end : {exact_lower(x.interval), exact_upper(x.interval)})
+      if (end) expect(same(enclose<I>(*end), end, end), "enclose (a number that the type represents is a point)", x);
+  }
+
+  void check_end_points(const Operand& x)
+  {
+    const auto low = exact_lower(x.interval);
+    const auto high = exact_upper(x.interval);
+    expect(!low || !high || *low <= *high, "order of the end points", x);
+    if (low) expect(same(lower(x.interval), low, low), "lower", x);
+    if (high) expect(same(upper(x.interval), high, high), "upper", x);
+    expect(Interval_traits<I>::lower_sign(x.interval) == (low ? sgn(*low) : -1), "lower_sign", x);
+    expect(Interval_traits<I>::upper_sign(x.interval) == (high ? sgn(*high) : 1), "upper_sign", x);
+    const int sign = low && sgn(*low) > 0 ? 1 : high && sgn(*high) < 0 ? -1 : 0;
+    expect(strict_sign(x.interval) == sign && contains_zero(x.interval) == (sign == 0), "strict_sign", x);
+  }
+
+  /// An end point that is no number must not pass for a finite one nor for an infinity of the wrong sign.
+  void check_form(const I& result, const char* operation, const Operand& x, const Operand* y = nullptr)
+  {
+    const auto low = exact_lower(result);
+    const auto high = exact_upper(result);
+    const int low_sign = Interval_traits<I>::lower_sign(result);
+    const int high_sign = Interval_traits<I>::upper_sign(result);
+    expect(low_sign == (low ? sgn(*low) : -1) && high_sign == (high ? sgn(*high) : 1)
+               && (!low || !high || *low <= *high),
+           operation, x, y, &result);
+  }
+
+  void check_hull(const Operand& x, const Operand& y)
+  {
+    const auto low = both(exact_lower(x.interval), exact_lower(y.interval));
+    const auto high = both(exact_upper(x.interval), exact_upper(y.interval));
+    const I joined = hull(x.interval, y.interval);
+    expect(same(joined, low ? std::optional(std::min(low->first, low->second)) : std::nullopt,
+                high ? std::optional(std::max(high->first, high->second)) : std::nullopt),
+           "hull", x, &y, &joined);
+    for (const auto& value : x.values) {
+      expect_value(hull_with_zero(x.interval), value, "hull_with_zero", x);
+      expect_value(symmetric_hull(x.interval), -value, "symmetric_hull", x);
+    }
+  }
+
+  void check_unary(const Operand& x)
+  {
+    const auto low = exact_lower(x.interval);
+    const auto high = exact_upper(x.interval);
+    const I negated = -x.interval;
+    expect(same(negated, high ? std::optional<Rational>(-*high) : std::nullopt,
+                low ? std::optional<Rational>(-*low) : std::nullopt),
+           "negation", x, nullptr, &negated);
+    const I squared = square(x.interval);
+    const I cubed = power(x.interval, 3);
+    const I fourth = power(x.interval, 4);
+    expect(Interval_traits<I>::lower_sign(squared) >= 0, "sign of square", x, nullptr, &squared);
+    check_form(squared, "form of square", x);
+    check_form(cubed, "form of power 3", x);
+    for (const auto& value : x.values) {
+      expect_value(squared, value * value, "square", x);
+      expect_value(cubed, value * value * value, "power 3", x);
+      expect_value(fourth, value * value * value * value, "power 4", x);
+    }
+    if constexpr (is_exact<I>) expect_equal(squared, square(exactly(x.interval)), "square", x);
+  }
+
+  void check_binary(const Operand& x, const Operand& y)
+  {
+    const I sum = x.interval + y.interval;
+    const I difference = x.interval - y.interval;
+    const I product = x.interval * y.interval;
+    check_form(sum, "form of sum", x, &y);
+    check_form(difference, "form of difference", x, &y);
+    check_form(product, "form of product", x, &y);
+    for (const auto& a : x.values)
+      for (const auto& b : y.values) {
+        expect_value(sum, a + b, "sum", x, &y);
+        expect_value(difference, a - b, "difference", x, &y);
+        expect_value(product, a * b, "product", x, &y);
+      }
+    check_assignments(x, y, {sum, difference, product});
+    if constexpr (is_exact<I>) {
+      expect_equal(sum, exactly(x.interval) + exactly(y.interval), "sum", x, &y);
+      expect_equal(difference, exactly(x.interval) - exactly(y.interval), "difference", x, &y);
+      expect_equal(product, exactly(x.interval) * exactly(y.interval), "product", x, &y);
+    }
+  }
+
+  void check_assignments(const Operand& x, const Operand& y, const std::array<I, 3>& results)
+  {
+    std::array<I, 3> assigned{x.interval, x.interval, x.interval};
+    assigned[0] += y.interval;
+    assigned[1] -= y.interval;
+    assigned[2] *= y.interval;
+    for (std::size_t i = 0; i < 3; ++i)
+      expect(same(assigned[i], exact_lower(results[i]), exact_upper(results[i])), "assignment", x, &y, &assigned[i]);
+    I own = x.interval;
+    own *= own; // an operation may read what it overwrites
+    for (const auto& value : x.values) expect_value(own, value * value, "x *= x", x);
+  }
+
+  static std::optional<std::pair<Rational, Rational>> both(const std::optional<Rational>& a,
+                                                           const std::optional<Rational>& b)
+  {
+    return a && b ? std::optional(std::pair(*a, *b)) : std::nullopt;
+  }
+
+  static bool same(const I& x, const std::optional<Rational>& low, const std::optional<Rational>& high)
+  {
+    return exact_lower(x) == low && exact_upper(x) == high;
+  }
+
+  static Rational_interval exactly(const I& x) { return {exact_lower(x).value(), exact_upper(x).value()}; }
+
+  static std::string text(const I& x)
+  {
+    const auto low = exact_lower(x);
+    const auto high = exact_upper(x);
+    return std::string("[") + (low ? to_string(*low) : "-inf") + ", " + (high ? to_string(*high) : "inf") + "]";
+  }
+
+  void expect_value(const I& result, const Rational& value, const char* operation, const Operand& x,
+                    const Operand* y = nullptr)
+  {
+    ++checks_;
+    expect(contains(result, value), operation, x, y, &result, &value);
+  }
+
+  void expect_equal(const I& result, const Rational_interval& exact, const char* operation, const Operand& x,
+                    const Operand* y = nullptr)
+  {
+    expect(same(result, exact.lower(), exact.upper()), operation, x, y, &result);
+  }
+
+  void expect(bool holds, const char* operation, const Operand& x, const Operand* y = nullptr,
+              const I* result = nullptr, const Rational* value = nullptr)
+  {
+    if (holds || fault_) return;
+    fault_ = Number_fault{number_, operation,
+                          std::string(Interval_traits<I>::name) + ": wrong " + operation + "\n  x given = ["
+                              + to_string(x.given.lower()) + ", " + to_string(x.given.upper())
+                              + "]\n  x = " + text(x.interval)};
+    if (y != nullptr) fault_->text += "\n  y = " + text(y->interval);
+    if (result != nullptr) fault_->text += "\n  result = " + text(*result);
+    if (value != nullptr) fault_->text += "\n  lost value = " + to_string(*value);
+  }
+
+  std::uint64_t number_;
+  Trouble_source source_;
+  std::uint64_t checks_ = 0;
+  std::optional<Number_fault> fault_;
+};
+
+} // namespace detail
+
+/// \brief The contract of `IntervalNumber`, checked with exact rationals: there is no tolerance, a miss is a fault.
+///
+/// `tightness_cases` of the options is not used. \throw Unsafe_environment as the scope of the type.
+template <IntervalNumber I>
+[[nodiscard]] Number_audit audit_number(const Audit_options& options = {})
+{
+  const Arithmetic_scope<I> scope;
+  Number_audit audit{std::string(Interval_traits<I>::name), 0, 0, 0, {}};
+  for (std::uint64_t i = 0; i < options.cases; ++i) {
+    if (options.progress && !options.progress(static_cast<double>(i) / static_cast<double>(options.cases))) break;
+    const detail::Number_case<I> example(options.seed, options.first_case + i);
+    ++audit.cases;
+    audit.checks += example.checks();
+    if (!example.fault()) continue;
+    ++audit.faults;
+    if (!audit.first_fault) audit.first_fault = example.fault();
+    if (options.stop_at_first) break;
+  }
+  return audit;
+}
+
+} // namespace corral
+
+#endif

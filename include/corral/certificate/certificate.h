@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CORRAL_CERTIFICATE_CERTIFICATE_H
+#define CORRAL_CERTIFICATE_CERTIFICATE_H
+
+#include <corral/decision/Witness.h>
+#include <corral/localization/Grid.h>
+#include <corral/polynomial/Polynomial.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// \file
+/// Certificates: the verdict of every cell of a grid with its proof, as a file that a program which shares no code
+/// with this library can check. The format is specified in doc/certificate.md; `corral-check` checks it.
+namespace corral {
+
+/// A `hit` that the corners of its cell do not show, with what proves it of every polynomial.
+template <std::size_t D>
+struct Proved_cell
+{
+  Cell<D> cell{};
+  Witness<D> witness{}; ///< a `Sign_change` or a `Triangular_zero`, of the square-free parts
+};
+
+/// A polynomial as given, and the one that the proofs are about.
+template <std::size_t D>
+struct Certified_polynomial
+{
+  Polynomial<Rational, D> given;
+  Polynomial<Integer, D> square_free; ///< it has the same zeros
+  unsigned power = 1;                 ///< `given` divides this power of `square_free`
+};
+
+/// \brief What a file of proofs contains; doc/certificate.md gives the meaning of the parts.
+template <std::size_t D>
+struct Certificate
+{
+  std::vector<Certified_polynomial<D>> polynomials; ///< whose common zeros are asked for
+  Grid<D> grid;                                     ///< the cells
+  std::string tree{};                               ///< one character for each box
+  std::vector<Proved_cell<D>> witnesses{};          ///< those that the tree refers to, in its order
+  std::vector<std::string> reasons{};               ///< why cells are unknown
+  std::uint64_t empty = 0;                          ///< number of cells
+  std::uint64_t hit = 0;                            ///< number of cells
+  std::uint64_t unknown = 0;                        ///< number of cells
+
+  [[nodiscard]] std::uint64_t plotted() const { return hit + unknown; }
+};
+
+/// How much to spend on a certificate.
+struct Certify_options
+{
+  /// The number of boxes into which one cell may be cut to prove that it is empty.
+  std::size_t max_boxes = std::size_t{1} << 16;
+  /// Called before each box with the part of the grid that is done (0 to 1); `false` stops. What is proved by then is
+  /// kept, and the rest is unknown.
+  std::function<bool(double)> progress{};
+};
+
+/// \brief Decides every cell of the grid exactly and proves it.
+///
+/// Boxes without zeros are proved empty by Bernstein coefficients over integers, cells by the signs at their corners;
+/// the few others are decided by `Cell_decider` or `System_decider` and proved by the witness. A decision that leaves
+/// no witness which the format can hold is given up as unknown, with a reason: nothing is written that a checker would
+/// refuse.
+///
+/// \param system  one polynomial, or in two and three dimensions two of them, whose common zeros are asked for.
+/// \throw Invalid_input if a polynomial is zero, their number is not as above or the grid has 2^62 cells or more.
+/// \throw Budget_exceeded if the degrees are above the limits of the format.
+/// \throw Cancelled if it is stopped before the square-free parts are known.
+/// \par Complexity  As for an ideal raster; n^2/2 additions of integers for each box and line of degree n.
+template <std::size_t D>
+[[nodiscard]] Certificate<D> certify(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+                                     const Certify_options& options = {});
+
+/// The same for one polynomial.
+template <std::size_t D>
+[[nodiscard]] Certificate<D> certify(const Polynomial<Rational, D>& f, const Grid<D>& grid,
+                                     const Certify_options& options = {})
+{
+  return certify(std::vector{f}, grid, options);
+}
+
+/// The certificate as JSON text. \throw Invalid_input if two variables have the same name.
+template <std::size_t D>
+[[nodiscard]] std::string to_json(const Certificate<D>& certificate, const std::array<std::string, D>& variables);
+
+/// The gzip compression of some bytes; the same bytes give the same result.
+[[nodiscard]] std::string gzip(std::string_view bytes);
+
+} // namespace corral
+
+#endif

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CORRAL_DECISION_IDEAL_RASTER_H
+#define CORRAL_DECISION_IDEAL_RASTER_H
+
+#include <corral/algebra/real_roots.h>
+#include <corral/decision/Cell_decision.h>
+#include <corral/localization/Cell_set.h>
+#include <corral/localization/Grid.h>
+#include <corral/polynomial/Polynomial.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+/// \file
+/// The exact decision of closed cells: `hit` or `empty`, proved. Method and proof: doc/exact.md.
+namespace corral {
+
+/// \brief Decides closed cells of one grid exactly, for one polynomial.
+///
+/// In one and two dimensions the verdict is never `unknown`. In three dimensions it can be for high degrees, where a
+/// closed piece may lie strictly inside a cell; the decision then says why.
+/// What is costly (square-free part, resultants) is computed when first needed and kept, so that one object should
+/// decide many cells. An object must not be used by two threads at once.
+template <std::size_t D>
+class Cell_decider
+{
+public:
+  /// \param checkpoint  called now and then during long decisions; it stops them by throwing.
+  /// \throw Invalid_input if `f` is zero.
+  Cell_decider(const Polynomial<Rational, D>& f, const Grid<D>& grid, Checkpoint checkpoint = {},
+               Witnesses witnesses = Witnesses::all);
+  Cell_decider(Cell_decider&&) noexcept;
+  Cell_decider& operator=(Cell_decider&&) noexcept;
+  ~Cell_decider();
+
+  /// \brief The square-free part of the polynomial. Witnesses speak of it; it has the same zeros.
+  [[nodiscard]] const Polynomial<Integer, D>& square_free() const;
+
+  /// \brief The verdict on one closed cell.
+  /// \pre The cell lies in the grid.
+  /// \par Complexity  With n coefficients in a dense polynomial of degree d: n*d operations on integers where their
+  /// signs decide (nearly always), more near tangencies and singular points, where at worst a resultant of degree d^2
+  /// is needed.
+  [[nodiscard]] Cell_decision<D> decide(const Cell<D>& cell);
+
+private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// How to make an ideal raster.
+struct Ideal_raster_options
+{
+  /// Called now and then with the number of cells decided and to decide; `false` stops. What is proved then is kept
+  /// and the remaining cells stay unknown.
+  /// Only the calling thread calls it.
+  std::function<bool(std::uint64_t done, std::uint64_t total)> progress{};
+  /// Threads that decide cells, 0 for one a processor. The result does not depend on it.
+  unsigned threads = 1;
+  /// Whether to say of each plotted cell who decided it.
+  bool keep_rungs = false;
+};
+
+/// Who decided a plotted cell, or why it is unknown.
+template <std::size_t D>
+struct Decided_cell
+{
+  Cell<D> cell{};
+  Rung rung = Rung::floats;
+  std::string reason{}; ///< empty for a hit
+};
+
+/// Which rung decided how many cells.
+struct Rung_counts
+{
+  std::array<std::uint64_t, rung_count> hit{};
+  std::array<std::uint64_t, rung_count> empty{};
+};
+
+/// \brief A raster with all that could be proved of it.
+template <std::size_t D>
+struct Ideal_raster
+{
+  Cell_set<D> cells;                            ///< the cells that are hit, and unknown ones if any are left
+  Rung_counts rungs;                            ///< of the cells that were given as plotted
+  std::map<std::string, std::uint64_t> reasons; ///< why cells are unknown, with their number
+  std::vector<Decided_cell<D>> decided;         ///< every plotted cell, sorted, if `keep_rungs` was given
+};
+
+/// \brief Decides every unknown cell of `candidates` exactly.
+/// \param candidates  a localisation of f on this grid: every cell with a zero is plotted, and what is called hit is
+///        proved. Cells that it calls empty or hit are taken over.
+/// \pre `candidates` is a certified localisation (`is_guaranteed`), else the result is worth no more than it is.
+/// \throw Invalid_input if `f` is zero.
+/// \par Complexity  See `Cell_decider::decide`; memory for the cells and for one polynomial's resultants.
+template <std::size_t D>
+[[nodiscard]] Ideal_raster<D> ideal_raster(const Polynomial<Rational, D>& f, const Grid<D>& grid,
+                                           const Cell_set<D>& candidates, const Ideal_raster_options& options = {});
+
+} // namespace corral
+
+#endif

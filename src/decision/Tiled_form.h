@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CORRAL_SRC_DECISION_TILED_FORM_H
+#define CORRAL_SRC_DECISION_TILED_FORM_H
+
+#include "../algebra/Bernstein_form.h"
+
+#include <corral/localization/Cell_set.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace corral::exact {
+
+/// \brief A polynomial in the coordinates of the cell that was asked for last, exactly.
+///
+/// The origin moves to the block of the cell along all axes, then to the cell along one axis after the other. What a
+/// cell has in common with the last one is not computed again.
+template <std::size_t D>
+class Tiled_form
+{
+public:
+  /// \param power  power coefficients in grid coordinates.
+  explicit Tiled_form(Bernstein_form<D> power) { moved_[0] = std::move(power); }
+
+  /// The power coefficients on a cell.
+  [[nodiscard]] const Bernstein_form<D>& on_cell(const Cell<D>& cell)
+  {
+    bool moves = false;
+    for (std::size_t step = 0; step < 2 * D; ++step) {
+      const std::size_t axis = step % D;
+      const std::uint32_t in_tile = cell[axis] % block_side<D>;
+      const std::uint32_t offset = step < D ? cell[axis] - in_tile : in_tile;
+      if (!moves && is_made_ && offset == offset_[step]) continue;
+      moves = true;
+      offset_[step] = offset;
+      moved_[step + 1] = moved_[step];
+      shift_power_form(moved_[step + 1], axis, offset);
+    }
+    is_made_ = true;
+    return moved_[2 * D];
+  }
+
+private:
+  std::array<Bernstein_form<D>, 2 * D + 1> moved_;
+  std::array<std::uint32_t, 2 * D> offset_{};
+  bool is_made_ = false;
+};
+
+} // namespace corral::exact
+
+#endif

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "../algebra/require_nonzero.h"
+#include "../algebra/restriction.h"
+#include "Interval_rung.h"
+#include "Tiled_form.h"
+#include "Zero_set.h"
+#include "corners.h"
+#include "decide_cells.h"
+
+#include <corral/decision/ideal_raster.h>
+#include <corral/number/Mpfr_interval.h>
+#include <corral/number/Outward_interval.h>
+#include <corral/polynomial/square_free.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace corral {
+
+template <std::size_t D>
+struct Cell_decider<D>::State
+{
+  State(const Polynomial<Rational, D>& f, const Grid<D>& the_grid, const Checkpoint& checkpoint, Witnesses witnesses)
+      : grid(the_grid), free(square_free_part(f)),
+        form(exact::dense_power_form(exact::in_grid_coordinates(free, the_grid))),
+        zeros([g = free] { return g; }, checkpoint, witnesses)
+  {}
+
+  /// What intervals say of a cell. \param sign  that of all corners.
+  [[nodiscard]] std::optional<Cell_decision<D>> decide_by_intervals(const exact::Bernstein_form<D>& power, int sign,
+                                                                    const Rational_box<D>& box)
+  {
+    using Kind = typename exact::Finding<D>::Kind;
+    auto rung = Rung::intervals;
+    auto finding = doubles.look_for_zero(power, sign);
+    if (finding.kind == Kind::unclear && is_wide(power)) {
+      rung = Rung::mpfr;
+      finding = mpfr.look_for_zero(power, sign);
+    }
+    if (finding.kind == Kind::none) return Cell_decision<D>{Verdict::empty, rung, Bounded_away{}, {}};
+    if (finding.kind == Kind::crossing) {
+      for (std::size_t k = 0; k < D; ++k) finding.point[k] = at(box[k], finding.point[k]);
+      return Cell_decision<D>{Verdict::hit, rung, Sign_change<D>{exact::corner_of(box, 0), finding.point}, {}};
+    }
+    return guess(finding.left, box);
+  }
+
+  /// An isolated zero is often a simple rational point. \param parts  where it may be, in units of the box.
+  [[nodiscard]] std::optional<Cell_decision<D>> guess(const std::vector<Rational_box<D>>& parts,
+                                                      const Rational_box<D>& box) const
+  {
+    constexpr std::size_t max_guesses = 16;
+    if (parts.size() > max_guesses) return std::nullopt;
+    for (const auto& part : parts) {
+      Rational_point<D> point;
+      for (std::size_t k = 0; k < D; ++k)
+        point[k] = simplest_rational({at(box[k], part[k].lower()), at(box[k], part[k].upper())});
+      if (exact::vanishes_at(free, point))
+        return Cell_decision<D>{Verdict::hit, Rung::integers, Sign_change<D>{point, point}, {}};
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] static Rational at(const Rational_interval& side, const Rational& offset)
+  {
+    return side.lower() + (side.upper() - side.lower()) * offset;
+  }
+
+  /// Whether MPFR is so much faster than the integers that trying it pays.
+  [[nodiscard]] static bool is_wide(const exact::Bernstein_form<D>& power)
+  {
+    return std::any_of(power.values.begin(), power.values.end(),
+                       [](const Integer& c) { return mpz_sizeinbase(c.get_mpz_t(), 2) > 1024; });
+  }
+
+  Grid<D> grid;
+  Polynomial<Integer, D> free;
+  exact::Tiled_form<D> form;
+  exact::Interval_rung<Outward_interval, D> doubles{60};
+  exact::Interval_rung<Mpfr_interval, D> mpfr{128};
+  exact::Zero_set<D> zeros;
+};
+
+template <std::size_t D>
+Cell_decider<D>::Cell_decider(const Polynomial<Rational, D>& f, const Grid<D>& grid, Checkpoint checkpoint,
+                              Witnesses witnesses)
+{
+  exact::require_nonzero(f.is_zero(), "exact decision");
+  state_ = std::make_unique<State>(f, grid, checkpoint, witnesses);
+}
+
+template <std::size_t D>
+Cell_decider<D>::Cell_decider(Cell_decider&&) noexcept = default;
+template <std::size_t D>
+Cell_decider<D>& Cell_decider<D>::operator=(Cell_decider&&) noexcept = default;
+template <std::size_t D>
+Cell_decider<D>::~Cell_decider() = default;
+
+template <std::size_t D>
+const Polynomial<Integer, D>& Cell_decider<D>::square_free() const
+{
+  return state_->free;
+}
+
+template <std::size_t D>
+Cell_decision<D> Cell_decider<D>::decide(const Cell<D>& cell)
+{
+  const auto& power = state_->form.on_cell(cell);
+  const auto box = state_->grid.cell_box(cell);
+  const auto corners = exact::corner_signs_of_powers(power);
+  if (corners.common() == 0) return {Verdict::hit, Rung::integers, exact::corner_witness(corners, box), {}};
+  if (auto decision = state_->decide_by_intervals(power, corners.common(), box)) return *decision;
+  auto form = power;
+  exact::to_bernstein(form);
+  return state_->zeros.decide(form, box);
+}
+
+template <std::size_t D>
+Ideal_raster<D> ideal_raster(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Cell_set<D>& candidates,
+                             const Ideal_raster_options& options)
+{
+  return exact::decide_cells(candidates, options, [&](const Checkpoint& checkpoint) {
+    return Cell_decider<D>(f, grid, checkpoint, Witnesses::simple);
+  });
+}
+
+template class Cell_decider<1>;
+template class Cell_decider<2>;
+template class Cell_decider<3>;
+template Ideal_raster<1> ideal_raster(const Polynomial<Rational, 1>&, const Grid<1>&, const Cell_set<1>&,
+                                      const Ideal_raster_options&);
+template Ideal_raster<2> ideal_raster(const Polynomial<Rational, 2>&, const Grid<2>&, const Cell_set<2>&,
+                                      const Ideal_raster_options&);
+template Ideal_raster<3> ideal_raster(const Polynomial<Rational, 3>&, const Grid<3>&, const Cell_set<3>&,
+                                      const Ideal_raster_options&);
+
+} // namespace corral

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "../algebra/require_nonzero.h"
+#include "Common_zeros.h"
+#include "decide_cells.h"
+
+#include <corral/decision/ideal_system.h>
+#include <corral/errors.h>
+#include <corral/polynomial/integer_form.h>
+
+#include <string>
+#include <utility>
+
+namespace corral {
+
+template <std::size_t D>
+struct System_decider<D>::State
+{
+  Grid<D> grid;
+  std::vector<exact::Bernstein_form<D>> forms; ///< power coefficients in grid coordinates
+  exact::Common_zeros<D> zeros;
+};
+
+template <std::size_t D>
+System_decider<D>::System_decider(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+                                  Checkpoint checkpoint, Witnesses witnesses)
+{
+  if (system.empty() || system.size() > 2)
+    throw Invalid_input("exact decision: a system of " + detail::quantity(system.size(), "polynomial")
+                        + "; expected one or two");
+  for (const auto& f : system) exact::require_nonzero(f.is_zero(), "exact decision");
+  std::vector<exact::Bernstein_form<D>> forms;
+  forms.reserve(system.size());
+  for (const auto& f : system)
+    forms.push_back(exact::dense_power_form(exact::in_grid_coordinates(integer_primitive(f), grid)));
+  state_ = std::make_unique<State>(
+      State{grid, std::move(forms),
+            exact::Common_zeros<D>(integer_primitive(system.front()), integer_primitive(system.back()),
+                                   std::move(checkpoint), witnesses)});
+}
+
+template <std::size_t D>
+System_decider<D>::System_decider(System_decider&&) noexcept = default;
+template <std::size_t D>
+System_decider<D>& System_decider<D>::operator=(System_decider&&) noexcept = default;
+template <std::size_t D>
+System_decider<D>::~System_decider() = default;
+
+template <std::size_t D>
+Cell_decision<D> System_decider<D>::decide(const Cell<D>& cell)
+{
+  for (const auto& form : state_->forms)
+    if (exact::sign_pattern(exact::on_cell(form, cell)).closed() != 0)
+      return {Verdict::empty, Rung::integers, Bounded_away{}, {}};
+  return state_->zeros.decide(state_->grid.cell_box(cell));
+}
+
+template <std::size_t D>
+Ideal_raster<D> ideal_raster(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+                             const Cell_set<D>& candidates, const Ideal_raster_options& options)
+{
+  return exact::decide_cells(candidates, options, [&](const Checkpoint& checkpoint) {
+    return System_decider<D>(system, grid, checkpoint, Witnesses::simple);
+  });
+}
+
+template class System_decider<2>;
+template class System_decider<3>;
+template Ideal_raster<2> ideal_raster(const std::vector<Polynomial<Rational, 2>>&, const Grid<2>&, const Cell_set<2>&,
+                                      const Ideal_raster_options&);
+template Ideal_raster<3> ideal_raster(const std::vector<Polynomial<Rational, 3>>&, const Grid<3>&, const Cell_set<3>&,
+                                      const Ideal_raster_options&);
+
+} // namespace corral

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CORRAL_SRC_PROGRAM_LOCALIZE_PAPER_ENGINE_INL_H
+#define CORRAL_SRC_PROGRAM_LOCALIZE_PAPER_ENGINE_INL_H
+
+#include "paper_engine.h"
+
+#include <corral/bounders/Any_bounder.h>
+#include <corral/localization/localize.h>
+#include <corral/number/Counted.h>
+
+namespace corral::program {
+
+template <IntervalNumber I, std::size_t D>
+Localization<D> localize_counted_or_not(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+                                        const Localize_settings& settings)
+{
+  const Localization_options options{.sample = settings.sample,
+                                     .refine_depth = settings.refine ? 1U : 0U,
+                                     .cell_budget = settings.max_cells,
+                                     .progress = settings.progress};
+  return localize<I, D>(system, grid, options, [&](const Polynomial<I, D>& f) {
+    return Any_bounder<I, D>(settings.method.bounder, f, {.order = settings.method.order});
+  });
+}
+
+template <IntervalNumber I, std::size_t D>
+Localization<D> localize_over(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+                              const Localize_settings& settings)
+{
+  return settings.count ? localize_counted_or_not<Counted<I>, D>(system, grid, settings)
+                        : localize_counted_or_not<I, D>(system, grid, settings);
+}
+
+} // namespace corral::program
+
+#define CORRAL_INSTANTIATE_PAPER_ENGINE(I, D)                                                                          \
+  template corral::Localization<D> corral::program::localize_over<I, D>(                                               \
+      const std::vector<corral::Polynomial<corral::Rational, D>>&, const corral::Grid<D>&,                             \
+      const corral::program::Localize_settings&);
+
+#define CORRAL_INSTANTIATE_PAPER_ENGINES(I)                                                                            \
+  CORRAL_INSTANTIATE_PAPER_ENGINE(I, 1)                                                                                \
+  CORRAL_INSTANTIATE_PAPER_ENGINE(I, 2)                                                                                \
+  CORRAL_INSTANTIATE_PAPER_ENGINE(I, 3)                                                                                \
+  CORRAL_INSTANTIATE_PAPER_ENGINE(I, 4)
+
+#endif
