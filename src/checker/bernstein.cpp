@@ -37,23 +37,27 @@ void for_each_line(const std::vector<std::size_t>& sizes, std::size_t axis, std:
     for (std::size_t inner = 0; inner < stride; ++inner) visit(outer + inner);
 }
 
-/// The coefficients on the grid of all exponents, times their common denominator.
-std::vector<mpz_class> dense(const Polynomial& f, const std::vector<std::size_t>& sizes, std::size_t total,
-                             Budget& budget)
+double count(const Bernstein_form& form) { return static_cast<double>(form.coefficients.size()); }
+
+/// The coefficients on the grid of all exponents, times their common denominator; sets the bound of their bits.
+void fill_dense(Bernstein_form& form, const Polynomial& f, Budget& budget)
 {
   mpz_class common = 1;
+  double longest = 0;
   for (const auto& [exponents, coefficient] : f) {
+    budget.fractions(words(bits(common)) + length(coefficient));
     common = lcm(common, coefficient.get_den());
-    budget.work(30, words(common) + words(coefficient));
-    Budget::memory(words(common) * static_cast<double>(f.size()));
+    longest = std::max(longest, bits(coefficient.get_num()));
   }
-  std::vector<mpz_class> result(total);
+  form.bit_bound = longest + bits(common) + bits(mpz_class(static_cast<unsigned long>(f.size())));
+  Budget::require_form_words(form.held());
   for (const auto& [exponents, coefficient] : f) {
+    budget.fractions(words(bits(common)) + length(coefficient));
     std::size_t position = 0;
-    for (std::size_t axis = 0; axis < sizes.size(); ++axis) position = position * sizes[axis] + exponents[axis];
-    result[position] = coefficient.get_num() * (common / coefficient.get_den());
+    for (std::size_t axis = 0; axis < form.sizes.size(); ++axis)
+      position = position * form.sizes[axis] + exponents[axis];
+    form.coefficients[position] = coefficient.get_num() * (common / coefficient.get_den());
   }
-  return result;
 }
 
 /// \brief Replaces the coefficients a_j of x^j by those of v^i in sum_j a_j (p + q v)^j (r (1 + v))^(n-j), where the
@@ -113,12 +117,7 @@ void for_each_corner(const Bernstein_form& form, Visitor&& visit)
 
 } // namespace
 
-double Bernstein_form::weight() const
-{
-  double sum = 0;
-  for (const mpz_class& value : coefficients) sum += words(value) + 2;
-  return sum;
-}
+double Bernstein_form::held() const { return count(*this) * (words(bit_bound) + 5); }
 
 Bernstein_form bernstein(const Polynomial& f, const Box& box, Budget& budget)
 {
@@ -129,15 +128,17 @@ Bernstein_form bernstein(const Polynomial& f, const Box& box, Budget& budget)
     result.sizes.push_back(highest[axis] + 1);
     total *= result.sizes.back();
   }
-  result.coefficients = dense(f, result.sizes, total, budget);
+  result.coefficients.resize(total);
+  fill_dense(result, f, budget);
   for (std::size_t axis = 0; axis < box.size(); ++axis) {
     const std::size_t size = result.sizes[axis];
     if (size == 1) continue;
     const Integer_side side = to_integers(box[axis]);
-    const auto n = static_cast<double>(size);
-    const double growth = n * (words(side.lower) + words(side.upper) + words(side.denominator));
-    Budget::memory(result.weight() + static_cast<double>(total) * growth);
-    budget.work(static_cast<double>(total) * n * 4, result.weight() / static_cast<double>(total) + growth);
+    const double side_bits = std::max({bits(side.lower), bits(side.upper), bits(side.denominator)});
+    const auto n = static_cast<double>(size - 1);
+    result.bit_bound += n * (side_bits + 3);
+    Budget::require_form_words(result.held());
+    budget.work(count(result) * (n + 1) * words(result.bit_bound) * words(side_bits));
     const std::vector<mpz_class> weights = bernstein_weights(size - 1);
     const std::size_t stride = stride_of(result.sizes, axis);
     std::vector<mpz_class> line(size);
@@ -153,12 +154,16 @@ Bernstein_form bernstein(const Polynomial& f, const Box& box, Budget& budget)
 
 std::pair<Bernstein_form, Bernstein_form> halve(const Bernstein_form& form, std::size_t axis, Budget& budget)
 {
-  std::pair<Bernstein_form, Bernstein_form> result{form, form};
+  std::pair<Bernstein_form, Bernstein_form> result;
+  const std::size_t n = form.sizes[axis] - 1;
+  for (Bernstein_form* half : {&result.first, &result.second}) {
+    half->sizes = form.sizes;
+    half->bit_bound = form.bit_bound + static_cast<double>(n);
+    half->coefficients.resize(form.coefficients.size());
+  }
+  budget.work(count(form) * static_cast<double>(n + 1) * words(result.first.bit_bound));
   auto& low = result.first.coefficients;
   auto& high = result.second.coefficients;
-  const std::size_t n = form.sizes[axis] - 1;
-  budget.work(static_cast<double>(low.size() * (n + 1)),
-              form.weight() / static_cast<double>(low.size()) + static_cast<double>(n) / 64);
   const std::size_t stride = stride_of(form.sizes, axis);
   std::vector<mpz_class> row(n + 1);
   for_each_line(form.sizes, axis, low.size(), [&](std::size_t first) {
@@ -172,6 +177,19 @@ std::pair<Bernstein_form, Bernstein_form> halve(const Bernstein_form& form, std:
   });
   shorten(low);
   shorten(high);
+  return result;
+}
+
+Bernstein_form facet(const Bernstein_form& form, std::size_t axis, bool is_upper, Budget& budget)
+{
+  Bernstein_form result;
+  result.sizes = form.sizes;
+  result.sizes[axis] = 1;
+  result.bit_bound = form.bit_bound;
+  budget.work(count(form));
+  const std::size_t offset = is_upper ? stride_of(form.sizes, axis) * (form.sizes[axis] - 1) : 0;
+  for_each_line(form.sizes, axis, form.coefficients.size(),
+                [&](std::size_t first) { result.coefficients.push_back(form.coefficients[first + offset]); });
   return result;
 }
 

@@ -11,19 +11,25 @@ namespace corral_check {
 /// A positive multiple of the Bernstein coefficients of a polynomial on a box (section 4).
 struct Bernstein_form
 {
-  std::vector<std::size_t> sizes; ///< degree + 1 of each axis; the last axis runs fastest
+  std::vector<std::size_t> sizes; ///< degree + 1 of each axis, 1 where the box is flat; the last axis runs fastest
   std::vector<mpz_class> coefficients;
+  double bit_bound = 0; ///< section 7: no coefficient has more bits
 
-  /// Memory in words, at most.
-  [[nodiscard]] double weight() const;
+  /// The words that section 7 counts for it.
+  [[nodiscard]] double held() const;
+  /// Whether an axis can be halved: the polynomial depends on it, and the box is not flat.
+  [[nodiscard]] bool is_free(std::size_t axis) const { return sizes[axis] > 1; }
 };
 
-/// \pre f is not zero; every side of the box is at most flat where f has the degree 0.
+/// \pre f is not zero; a side of the box where f has a positive degree is not flat.
 [[nodiscard]] Bernstein_form bernstein(const Polynomial& f, const Box& box, Budget& budget);
 
 /// The forms on the lower and the upper half of an axis.
 [[nodiscard]] std::pair<Bernstein_form, Bernstein_form> halve(const Bernstein_form& form, std::size_t axis,
                                                               Budget& budget);
+
+/// The form on the lower or the upper facet of an axis.
+[[nodiscard]] Bernstein_form facet(const Bernstein_form& form, std::size_t axis, bool is_upper, Budget& budget);
 
 /// Condition `e` of section 4: proves that there is no zero on the box.
 [[nodiscard]] bool excludes_zero(const Bernstein_form& form);

@@ -4,36 +4,41 @@
 
 #include "polynomial.h"
 
+#include <optional>
 #include <string>
-#include <string_view>
 
 namespace corral_check {
 
-/// The number of cells of each verdict.
-struct Counts
+/// \brief Section 6: where polynomial `of` and its derivatives along the axes `slopes` are zero, one of `factors` is.
+struct Multipliers
 {
-  std::uint64_t empty = 0;
-  std::uint64_t hit = 0;
-  std::uint64_t unknown = 0;
+  std::size_t of = 0;               ///< an index of `Contents::proved`
+  std::vector<bool> slopes;         ///< for each axis
+  std::vector<std::size_t> factors; ///< indices of `Contents::proved`
 };
 
-/// What a file says, in the form of section 1; the tree is not yet looked at.
-struct Certificate
+/// What a file says, in the form of sections 1, 2 and 6; the tree is not yet looked at.
+struct Contents
 {
-  std::size_t dimension = 0;
-  std::vector<Polynomial> polynomials; ///< f_j of section 2
-  std::vector<Polynomial> reduced;     ///< g_j of section 2
+  std::string text; ///< the JSON text; the values below lie in it
+  Claims claims;
+  std::vector<Polynomial> proved; ///< the g_j of section 2, then the P of section 6
+  std::size_t given = 0;          ///< m, the number of the former
+  std::vector<Multipliers> multipliers;
   Box box;
-  std::vector<std::uint64_t> resolution;
   std::vector<mpq_class> step; ///< w_k
   std::string tree;
-  Json witnesses;
+  Value tree_value;
+  Value witnesses;
+  std::optional<Value> critical;
   std::size_t reasons = 0;
-  Counts counts;
+  double work = 0; ///< spent on what is read
+
+  [[nodiscard]] std::size_t dimension() const { return claims.dimension; }
 };
 
-/// Reads a certificate and checks sections 1 and 2. \throw Rejected with the place and the reason.
-[[nodiscard]] Certificate read_certificate(std::string_view bytes, Budget& budget);
+/// Reads a certificate. The result must not move: its values point into its text.
+void read_contents(std::string bytes, Contents& contents);
 
 } // namespace corral_check
 

@@ -7,7 +7,7 @@
 namespace corral_check {
 
 /// Checks that one entry of `witnesses` proves a common zero in the cell (section 5). \throw Rejected otherwise.
-void check_witness(const Json& witness, const Certificate& certificate, const Box& cell, const std::string& where,
+void check_witness(const Value& witness, const Contents& contents, const Box& cell, const std::string& where,
                    Budget& budget);
 
 } // namespace corral_check

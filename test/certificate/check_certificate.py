@@ -17,6 +17,7 @@ from itertools import product
 
 KEYS = {"format", "version", "dimension", "variables", "polynomials", "square_free", "box", "resolution", "method",
         "tree", "witnesses", "reasons", "empty", "hit", "unknown"}
+KEYS_OF_2 = KEYS | {"multipliers", "critical"}
 EXACT = re.compile(r"0|-?[1-9][0-9]*(/[1-9][0-9]*)?", re.ASCII)
 MAX_TEXT = 1 << 28
 
@@ -130,18 +131,32 @@ def multiply(f, g):
     return result
 
 
-def divides(g, f):
-    f = dict(f)
-    lead = max(g)
+def divide(f, g):
+    """Quotient and remainder in the lexicographic order of the exponents."""
+    f, lead, quotient, kept = dict(f), max(g), {}, {}
     while f:
         top = max(f)
         shift = tuple(a - b for a, b in zip(top, lead))
         if min(shift) < 0:
-            return False
-        factor = f[top] / g[lead]
+            kept[top] = f.pop(top)
+            continue
+        factor = quotient[shift] = f[top] / g[lead]
         for e, c in g.items():
             add_to(f, tuple(map(sum, zip(e, shift))), -factor * c)
-    return True
+    return quotient, kept
+
+
+def divides_power(f, g, k):
+    """Whether f divides g^k; no factor of f has a multiplicity above the total degree."""
+    rest = {(0,) * len(next(iter(f))): Fraction(1)}
+    degree = max(map(sum, f))
+    for _ in range(min(k, degree)):
+        rest = divide(multiply(rest, g), f)[1]
+    return degree == 0 or not rest
+
+
+def derivative(f, axis):
+    return {e[:axis] + (e[axis] - 1,) + e[axis + 1:]: c * e[axis] for e, c in f.items() if e[axis] > 0}
 
 
 def remainder(f, t, axis):
@@ -201,6 +216,13 @@ class Bernstein:
                 row = [a + b for a, b in zip(row, row[1:])]
             low[line], high[line] = left, right[::-1]
         return Bernstein(self.sizes, low), Bernstein(self.sizes, high)
+
+    def is_free(self, axis):
+        return self.sizes[axis] > 1
+
+    def facet(self, axis, upper):
+        values = [self.values[line][-1 if upper else 0] for line in self.lines(axis)]
+        return Bernstein(self.sizes[:axis] + [1] + self.sizes[axis + 1:], values)
 
     def corners(self):
         for ends in product(*[(0, n - 1) for n in self.sizes]):
@@ -325,13 +347,100 @@ def check_miranda(value, gs, cell):
 WITNESSES = {"points": check_points, "triangular": check_triangular, "miranda": check_miranda}
 
 
-# ---- sections 2, 3 and 6: the claims ----------------------------------------------------------------------------
+# ---- section 6: leaves c -----------------------------------------------------------------------------------------
+
+class Multipliers:
+    """One entry of `multipliers`, with its check; appends its factors to the polynomials."""
+
+    def __init__(self, entry, polynomials, dimension):
+        need(type(entry) is dict and set(entry) == {"of", "a", "b", "factors"}, "multipliers: wrong keys")
+        self.of = number(entry["of"], 0, len(polynomials) - 1)
+        q, rest, self.slopes, self.factors = polynomials[self.of], {}, [], []
+
+        def add_product(factor, polynomial):
+            for e, c in multiply(factor, polynomial).items():
+                add_to(rest, e, c)
+
+        if entry["a"] is not None:
+            add_product(read_polynomial(entry["a"], dimension), q)
+        for axis, value in enumerate(items(entry["b"], dimension)):
+            if value is not None:
+                slope = derivative(q, axis)
+                need(slope, "multipliers: a derivative that is zero")
+                add_product(read_polynomial(value, dimension), slope)
+                self.slopes.append(axis)
+        need(rest, "multipliers: the combination is zero")
+        for part in items(entry["factors"]):
+            factor = read_polynomial(items(part, 2)[0], dimension)
+            need(any(map(sum, factor)), "multipliers: a factor is a number")
+            for _ in range(number(part[1], 1, 1000)):
+                rest, left = divide(rest, factor)
+                need(not left, "multipliers: not a factor")
+            self.factors.append(len(polynomials))
+            polynomials.append(factor)
+        need(not any(map(sum, rest)), "multipliers: a factor is missing")
+
+
+class Critical:
+    """Proves that boxes hold no zero, by the entries of `critical` in their order."""
+
+    def __init__(self, entries, multipliers, polynomials):
+        self.entries, self.multipliers, self.polynomials = iter(entries), multipliers, polynomials
+
+    def prove(self, index, form, box, depth):
+        """`index`, `form`: a polynomial and its form on the box; or None and all those of the input."""
+        entry = next(self.entries, None)
+        need(entry is not None, "critical: no entry left")
+        which, h, trees = items(entry, 3)
+        need(self.multipliers and type(trees) is str, "critical: no multipliers or no trees")
+        m = self.multipliers[number(which, 0, len(self.multipliers) - 1)]
+        need(number(h, 0, len(box) - 1) not in m.slopes, "critical: the axis is one of a derivative")
+        if index is None:
+            need(m.of < len(form), "critical: multipliers of another polynomial")
+            index, form = m.of, form[m.of]
+        need(m.of == index, "critical: multipliers of another polynomial")
+        need(all(form.is_free(axis) for axis in [h] + m.slopes), "critical: an axis is not free")
+        characters = iter(trees)
+        for axis in range(len(box)):
+            for upper in (0, 1) if axis in m.slopes else (0,) if axis == h else ():
+                facet = box[:axis] + [(box[axis][upper],) * 2] + box[axis + 1:]
+                self.prove_tree(index, form.facet(axis, upper), facet, characters, depth + 1)
+        for factor in m.factors:
+            p = self.polynomials[factor]
+            for axis, (low, high) in enumerate(box):
+                if low == high:
+                    p = restrict(p, axis, low)
+            need(p, "critical: a factor is zero on a whole face")
+            self.prove_tree(factor, bernstein(p, box), box, characters, depth + 1)
+        need(next(characters, None) is None, "critical: a tree goes on after its end")
+
+    def prove_tree(self, index, form, box, characters, depth):
+        need(depth <= 1100, "critical: nested too deep")
+        symbol = next(characters, None)
+        if symbol == "e":
+            need(form.excludes_zero(), "critical: not excluded")
+        elif symbol == "c":
+            self.prove(index, form, box, depth)
+        else:
+            need(symbol == "s", "critical: a character out of place")
+            pieces = [(form, box)]
+            for axis in filter(form.is_free, range(len(box))):
+                middle = sum(box[axis]) / 2
+                halves = [(f.halves(axis), b) for f, b in pieces]
+                pieces = [(f[k], b[:axis] + [((b[axis][0], middle), (middle, b[axis][1]))[k]] + b[axis + 1:])
+                          for k in (0, 1) for f, b in halves]
+            need(len(pieces) > 1, "critical: a point is split")
+            for piece_form, piece_box in pieces:
+                self.prove_tree(index, piece_form, piece_box, characters, depth + 1)
+
+
+# ---- sections 2 and 3: the claims --------------------------------------------------------------------------------
 
 class Certificate:
     def __init__(self, root):
-        need(type(root) is dict and set(root) == KEYS, "wrong keys")
-        need(root["format"] == "corral-certificate" and type(root["version"]) is int and root["version"] == 1,
-             "another format or version")
+        need(type(root) is dict and root.get("format") == "corral-certificate", "another format")
+        version = number(root.get("version"), 1, 2)
+        need(set(root) == (KEYS if version == 1 else KEYS_OF_2), "wrong keys")
         need(root["method"] == "bernstein", "another method")
         d = self.dimension = number(root["dimension"], 1, 6)
         names = items(root["variables"], d)
@@ -341,6 +450,10 @@ class Certificate:
         self.reduced = [self.square_free(f, entry) for f, entry in zip(
             self.polynomials, [None] * len(self.polynomials) if root["square_free"] is None else
             items(root["square_free"], len(self.polynomials)))]
+        proved = list(self.reduced)
+        multipliers = [Multipliers(entry, proved, d) for entry in items(root.get("multipliers", []))]
+        entries = items(root.get("critical", []))
+        self.critical = Critical(entries, multipliers, proved)
         self.box = [tuple(exact(end) for end in items(side, 2)) for side in items(root["box"], d)]
         need(all(a < b for a, b in self.box), "a side of the box is empty")
         self.resolution = [number(n, 1, 1 << 30) for n in items(root["resolution"], d)]
@@ -356,11 +469,9 @@ class Certificate:
             return f
         need(type(entry) is dict and set(entry) == {"polynomial", "power"}, "square_free: wrong keys")
         g = read_polynomial(entry["polynomial"], self.dimension)
-        need(divides(g, f), "the square-free part does not divide the polynomial")
-        power = g
-        for _ in range(number(entry["power"], 1, 1000) - 1):
-            power = multiply(power, g)
-        need(divides(f, power), "the polynomial does not divide the power of its square-free part")
+        need(not divide(f, g)[1], "the square-free part does not divide the polynomial")
+        need(divides_power(f, g, number(entry["power"], 1, 1000)),
+             "the polynomial does not divide the power of its square-free part")
         return g
 
     def check(self):
@@ -369,7 +480,8 @@ class Certificate:
         self.used, position = 0, 0
         whole = [(a, a + w * 2 ** k) for (a, _), w, k in zip(self.box, self.step, self.exponent)]
         # A stack of nodes (level, corner, forms), the next one last; a node's children are pushed in reverse.
-        stack = [(max(self.exponent), [0] * self.dimension, [bernstein(g, whole) for g in self.reduced])]
+        forms = [bernstein(g, whole) for g in self.reduced]
+        stack = [(max(self.exponent), [0] * self.dimension, forms, whole, 1)]
         reasons_used = set()
         while stack:
             node = stack.pop()
@@ -378,6 +490,9 @@ class Certificate:
             position += 1
             if symbol == "s":
                 stack.extend(reversed(self.children(*node)))
+            elif symbol == "c":
+                self.critical.prove(None, node[2], node[3], node[4])
+                self.counts["empty"] += self.cells(node) if node[0] >= 0 else 0
             elif symbol in "0123456789":
                 need(node[0] >= 0 and int(symbol) < len(self.reasons), "an unknown leaf out of place")
                 reasons_used.add(symbol)
@@ -385,33 +500,36 @@ class Certificate:
             else:
                 self.check_leaf(symbol, *node)
         need(position == len(self.tree), "the tree goes on after its end")
+        need(next(self.critical.entries, None) is None, "an entry of critical is left over")
         need(self.used == len(self.witnesses), "a witness is left over")
         need(len(reasons_used) == len(self.reasons), "a reason is left over")
         need(self.counts == self.claimed, "the counts differ")
 
-    def children(self, level, corner, forms):
+    def children(self, level, corner, forms, box, depth):
         if level == 0:
-            self.counts["empty"] += 1  # only e can follow, which proves it
+            self.counts["empty"] += 1  # only e or c can follow, which proves it
         need(level > -1000, "the tree is too deep")
-        nodes = [(corner, forms)]
+        nodes = [(corner, forms, box)]
         for axis in range(self.dimension):  # bit 0 varies fastest, so it is split first and interleaved last
             if level > self.exponent[axis] and level >= 1:
                 continue
             half = 2 ** (level - 1) if level >= 1 else 0
+            middle = sum(box[axis]) / 2
             lower, upper = [], []
-            for c, fs in nodes:
+            for c, fs, b in nodes:
                 pairs = [f.halves(axis) for f in fs]
-                lower.append((c, [p[0] for p in pairs]))
+                lower.append((c, [p[0] for p in pairs], b[:axis] + [(b[axis][0], middle)] + b[axis + 1:]))
                 if c[axis] + half < self.resolution[axis]:
-                    upper.append((c[:axis] + [c[axis] + half] + c[axis + 1:], [p[1] for p in pairs]))
+                    upper.append((c[:axis] + [c[axis] + half] + c[axis + 1:], [p[1] for p in pairs],
+                                  b[:axis] + [(middle, b[axis][1])] + b[axis + 1:]))
             nodes = lower + upper
-        return [(level - 1, c, fs) for c, fs in nodes]
+        return [(level - 1, c, fs, b, depth + 1) for c, fs, b in nodes]
 
-    def check_leaf(self, symbol, level, corner, forms):
+    def check_leaf(self, symbol, level, corner, forms, cell, _):
         where = "cell %s level %d: " % (corner, level)
         if symbol == "e":
             need(any(f.excludes_zero() for f in forms), where + "not excluded")
-            self.counts["empty"] += self.cells((level, corner, forms)) if level >= 0 else 0
+            self.counts["empty"] += self.cells((level, corner)) if level >= 0 else 0
             return
         need(symbol in "hw" and level == 0, where + "a character out of place")
         self.counts["hit"] += 1
@@ -424,14 +542,13 @@ class Certificate:
         need(type(witness) is dict and len(witness) == 1, where + "a witness has one key")
         (kind, value), = witness.items()
         need(kind in WITNESSES, where + "an unknown kind of witness")
-        cell = [(a + w * i, a + w * (i + 1)) for (a, _), w, i in zip(self.box, self.step, corner)]
         try:
             WITNESSES[kind](value, self.reduced, cell)
         except Rejected as error:
             raise Rejected(where + str(error)) from None
 
     def cells(self, node):
-        level, corner, _ = node
+        level, corner = node[:2]
         return math.prod(min(2 ** min(level, k), n - c) for k, n, c in zip(self.exponent, self.resolution, corner))
 
 
@@ -447,6 +564,7 @@ def main(paths):
     if not paths:
         sys.stderr.write(__doc__)
         return 2
+    sys.setrecursionlimit(20000)
     if hasattr(sys, "set_int_max_str_digits"):
         sys.set_int_max_str_digits(0)
     status = 0

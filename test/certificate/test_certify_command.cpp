@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <program/run_program.h>
 
-#include "check.h"
+#include <corral_check/check.h>
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ TEST(Certify_command, writes_a_certificate_that_the_checker_accepts)
   const auto run = certify(
       folder.path(), {"-1 + x^2 + y^2", "--box", "-2:2,-2:2", "--resolution", "16,8", "--output", "circle.json.gz"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  const auto counts = corral_check::check(content(folder.path() / "circle.json.gz"));
+  const auto counts = corral_check::check(content(folder.path() / "circle.json.gz")).counts;
   EXPECT_EQ(counts.empty + counts.hit, 128U);
   EXPECT_EQ(run.out.rfind("certified: 128 cells, " + std::to_string(counts.empty) + " empty, "
                               + std::to_string(counts.hit) + " hit, 0 unknown; ",
@@ -42,7 +42,7 @@ TEST(Certify_command, certifies_two_equations)
   const auto run = certify(folder.path(), {"x^2 + y^2 + z^2 - 4", "(x - 1)^2 + y^2 - 1", "--box", "-2:2,-2:2,-2:2",
                                            "--resolution", "8", "--output", "viviani.json"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  const auto counts = corral_check::check(content(folder.path() / "viviani.json"));
+  const auto counts = corral_check::check(content(folder.path() / "viviani.json")).counts;
   EXPECT_EQ(counts.empty + counts.hit, 512U);
   EXPECT_GT(counts.hit, 0U);
 }
@@ -59,7 +59,7 @@ TEST(Certify_command, keeps_what_is_proved_on_an_interrupt)
       limits);
   EXPECT_EQ(run.exit_code, 130) << run.err;
   ASSERT_EQ(folder.files(), Words{"a.json"}) << run.err;
-  const auto counts = corral_check::check(content(folder.path() / "a.json"));
+  const auto counts = corral_check::check(content(folder.path() / "a.json")).counts;
   EXPECT_GT(counts.unknown, 0U);
   EXPECT_EQ(counts.empty + counts.hit + counts.unknown, 4096U);
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "certificate_cases.h"
-#include "check.h"
 #include "claims.h"
 
 #include <gtest/gtest.h>
@@ -316,7 +315,7 @@ void judge(const std::string& text, const std::string& original, const Claims& k
   ++outcome.tried;
   try {
     (void)corral_check::check(text);
-  } catch (const corral_check::Rejected& error) {
+  } catch (const corral_check::Refusal& error) {
     EXPECT_GT(std::string_view(error.what()).size(), 5U);
     ++outcome.rejected;
     return;
@@ -378,7 +377,7 @@ TEST(Mutations, of_gzip_bytes_are_rejected)
       try {
         (void)corral_check::check(changed);
         ++outcome.same; // only the header holds bytes that no sum protects
-      } catch (const corral_check::Rejected&) {
+      } catch (const corral_check::Refusal&) {
         ++outcome.rejected;
       }
     }
@@ -408,11 +407,11 @@ std::vector<std::string> second_opinions(const std::string& paths)
 std::string first_opinion(const std::string& text)
 {
   try {
-    const auto counts = corral_check::check(text);
+    const auto counts = corral_check::check(text).counts;
     return "accepted: " + std::to_string(counts.empty + counts.hit + counts.unknown) + " cells, "
            + std::to_string(counts.empty) + " empty, " + std::to_string(counts.hit) + " hit, "
            + std::to_string(counts.unknown) + " unknown";
-  } catch (const corral_check::Rejected&) {
+  } catch (const corral_check::Refusal&) {
     return "rejected";
   }
 }
