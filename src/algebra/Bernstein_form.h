@@ -2,12 +2,14 @@
 #ifndef CORRAL_SRC_ALGEBRA_BERNSTEIN_FORM_H
 #define CORRAL_SRC_ALGEBRA_BERNSTEIN_FORM_H
 
+#include <corral/errors.h>
 #include <corral/number/Rational.h>
 #include <corral/polynomial/Polynomial.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -62,13 +64,18 @@ void for_each_line(const Bernstein_form<D>& form, std::size_t axis, const Functi
   for_each_line(form.size, axis, [&](std::size_t first, std::size_t) { function(first); });
 }
 
-/// The dense coefficients of `g` in the power basis, kept in the same layout.
+/// \brief The dense coefficients of `g` in the power basis, kept in the same layout.
+/// \throw Budget_exceeded if there are more than 2^25 of them.
 template <std::size_t D>
 [[nodiscard]] Bernstein_form<D> dense_power_form(const Polynomial<Integer, D>& g)
 {
   Bernstein_form<D> form;
   std::size_t count = 1;
-  for (std::size_t k = 0; k < D; ++k) count *= form.size[k] = g.degree(k) + 1;
+  for (std::size_t k = 0; k < D; ++k) count *= form.size[k] = g.degree(k) + 1; // at most 2^48
+  constexpr std::size_t most = std::size_t{1} << 25;
+  if (count > most)
+    throw Budget_exceeded("exact decision: a polynomial has " + std::to_string(count)
+                          + " coefficients, zeros included; expected at most " + std::to_string(most));
   form.values.resize(count);
   for (const auto& term : g.terms()) {
     std::size_t index = 0;

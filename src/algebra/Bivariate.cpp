@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Bivariate.h"
 
-#include "Prime_field.h"
+#include "../number/Prime_field.h"
+#include "../polynomial/to_exponent.h"
+#include "../polynomial/verification.h"
 
 #include <flint/nmod_poly.h>
 
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string>
 
 namespace corral::exact {
 
@@ -32,8 +35,8 @@ Polynomial<Integer, 2> polynomial(const Bivariate& f, std::size_t main)
     for (std::size_t i = 0; i < f[j].size(); ++i)
       if (f[j][i] != 0) {
         Exponents<2> exponents{};
-        exponents[main] = static_cast<std::uint16_t>(j);
-        exponents[1 - main] = static_cast<std::uint16_t>(i);
+        exponents[main] = detail::to_exponent(j);
+        exponents[1 - main] = detail::to_exponent(i);
         terms.push_back({exponents, f[j][i]});
       }
   return collect<Integer, 2>(std::move(terms));
@@ -231,7 +234,34 @@ Elimination eliminate(const Bivariate& f, const Bivariate& g, const Checkpoint& 
     trim(result.s1);
     trim(result.s0);
   }
+  require_elimination(result, f, g);
   return result;
+}
+
+void require_elimination(const Elimination& elimination, const Bivariate& f, const Bivariate& g)
+{
+  const auto value = [](const Prime_field& field, const Integer_polynomial& p, Element x) {
+    Element sum = 0;
+    for (std::size_t i = p.size(); i-- > 0;) sum = field.add(field.multiply(sum, x), field.from(p[i]));
+    return sum;
+  };
+  for (int round = 0; round < detail::Test_point::max_rounds; ++round) {
+    detail::Test_point source(round);
+    const auto& field = source.field();
+    const Modular_pair pair(field, f, g);
+    if (!pair.is_lucky()) continue;
+    const auto x = source.next();
+    const auto expected = pair.evaluate(x);
+    const bool has_linear = !elimination.s1.empty() || !elimination.s0.empty();
+    if (!expected || (has_linear && !expected->has_linear)) continue;
+    if (value(field, elimination.resultant, x) == expected->resultant
+        && (!has_linear
+            || (value(field, elimination.s1, x) == expected->s1 && value(field, elimination.s0, x) == expected->s0)))
+      return;
+    break;
+  }
+  throw Wrong_answer("algebra: the resultant of two polynomials of the degrees " + std::to_string(f.size() - 1)
+                     + " and " + std::to_string(g.size() - 1) + " is not what it is modulo another prime");
 }
 
 } // namespace corral::exact

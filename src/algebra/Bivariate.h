@@ -34,9 +34,14 @@ struct Elimination
 /// \brief The resultant of f and g with respect to y and their linear subresultant.
 ///
 /// Evaluation at enough x modulo enough primes; the sizes are bounded in advance (Hadamard), nothing is left to chance.
+/// The result is verified by `require_elimination`.
 /// \pre Neither is zero. \throw whatever `checkpoint` throws; it is called for each point.
 /// \par Reference  Collins 1971, "The calculation of multivariate polynomial resultants".
 [[nodiscard]] Elimination eliminate(const Bivariate& f, const Bivariate& g, const Checkpoint& checkpoint = {});
+
+/// \brief Compares an elimination with another one at a point modulo a prime that was not used for it.
+/// \throw Wrong_answer if they differ. \pre as `eliminate`.
+void require_elimination(const Elimination& elimination, const Bivariate& f, const Bivariate& g);
 
 } // namespace corral::exact
 

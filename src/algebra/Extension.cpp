@@ -3,9 +3,12 @@
 
 #include "Flint_integer_polynomial.h"
 
+#include <corral/polynomial/Wrong_answer.h>
+
 #include <algorithm>
 #include <flint/fmpq_poly.h>
 #include <flint/fmpz_poly_factor.h>
+#include <string>
 #include <utility>
 
 namespace corral::exact {
@@ -72,6 +75,9 @@ Integer_polynomial irreducible_factor(const Real_root& alpha)
     if (sign_at(factor, alpha.lower()) != sign_at(factor, alpha.upper())) result = std::move(factor);
   }
   fmpz_poly_factor_clear(factors);
+  if (!divides(result, alpha.polynomial()))
+    throw Wrong_answer("algebra: FLINT gives a factor of a polynomial of the degree "
+                       + std::to_string(degree(alpha.polynomial())) + " that does not divide it");
   return result;
 }
 
@@ -131,7 +137,11 @@ Rational_coefficients Extension::inverse(const Rational_coefficients& a) const
   Flint_polynomial cofactor;
   Flint_polynomial other;
   fmpq_poly_xgcd(common.get(), cofactor.get(), other.get(), element.get(), modulus.get()); // common is monic
-  if (fmpq_poly_degree(common.get()) == 0) return cofactor.coefficients();
+  if (fmpq_poly_degree(common.get()) == 0) {
+    auto result = cofactor.coefficients();
+    if (multiply(a, result) != one()) throw Wrong_answer("algebra: FLINT gives a wrong inverse in an extension");
+    return result;
+  }
   // alpha is a root of the common factor or of its cofactor
   auto factor = to_integer(common.coefficients());
   auto alpha = alpha_;

@@ -86,6 +86,7 @@ Plane_polynomial outline(const std::vector<Space_polynomial>& system, const Chec
   auto result = constant<Integer, 2>(1);
   const auto include = [&](const Plane_polynomial& factor) {
     if (checkpoint) checkpoint();
+    if (factor.is_zero()) throw Wrong_answer("algebra: factors that FLINT gives as irreducible and different are not");
     const auto free = square_free_part(factor);
     result = result * common_factor(free, result).f;
   };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Fibre.h"
 
+#include "../polynomial/to_exponent.h"
 #include "on_box.h"
 
 #include <algorithm>
@@ -49,8 +50,7 @@ void add_terms(std::vector<Polynomial<Rational, 3>::Term>& terms, const Extensio
 {
   for (std::size_t j = 0; j < element.size(); ++j)
     for (std::size_t i = 0; i < element[j].size(); ++i)
-      terms.push_back({{static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(j), static_cast<std::uint16_t>(k)},
-                       element[j][i]});
+      terms.push_back({{detail::to_exponent(i), detail::to_exponent(j), detail::to_exponent(k)}, element[j][i]});
 }
 
 Rational_interval enclose_coefficients(const Rational_coefficients& c, const Rational_interval& x)

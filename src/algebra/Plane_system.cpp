@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Plane_system.h"
 
+#include "../polynomial/to_exponent.h"
 #include "Extension.h"
+
+#include <corral/polynomial/Wrong_answer.h>
 
 #include <algorithm>
 #include <iterator>
@@ -43,7 +46,7 @@ Polynomial<Rational, 2> chain_element(const Extension_polynomial& h)
   std::vector<Polynomial<Rational, 2>::Term> terms;
   for (std::size_t j = 0; j < h.size(); ++j)
     for (std::size_t i = 0; i < h[j].size(); ++i)
-      if (h[j][i] != 0) terms.push_back({{static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(j)}, h[j][i]});
+      if (h[j][i] != 0) terms.push_back({{detail::to_exponent(i), detail::to_exponent(j)}, h[j][i]});
   return collect<Rational, 2>(std::move(terms));
 }
 
@@ -92,6 +95,7 @@ void Plane_system::eliminate_y(const Checkpoint& checkpoint)
 {
   if (elimination_) return;
   auto elimination = eliminate(bivariate(f_, 1), bivariate(g_, 1), checkpoint);
+  if (elimination.resultant.empty()) throw Wrong_answer("algebra: two polynomials said to be coprime are not");
   for (auto& factor : square_free_decomposition(elimination.resultant, checkpoint))
     if (degree(factor) > 0) first_.push_back(std::make_shared<const Integer_polynomial>(std::move(factor)));
   elimination_ = std::move(elimination); // last: a checkpoint that throws leaves nothing half done

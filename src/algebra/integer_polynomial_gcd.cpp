@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "../number/Prime_field.h"
 #include "Flint_integer_polynomial.h"
-#include "Prime_field.h"
 
 #include <corral/algebra/Integer_polynomial.h>
 
+#include <corral/polynomial/Wrong_answer.h>
+
 #include <algorithm>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace corral {
@@ -23,6 +26,11 @@ std::optional<Integer_polynomial> quotient(Integer_polynomial p, const Integer_p
     const exact::Flint_integer_polynomial divisor(q);
     exact::Flint_integer_polynomial flint;
     if (fmpz_poly_divides(flint.get(), dividend.get(), divisor.get()) == 0) return std::nullopt;
+    exact::Flint_integer_polynomial product;
+    fmpz_poly_mul(product.get(), flint.get(), divisor.get());
+    if (fmpz_poly_equal(product.get(), dividend.get()) == 0)
+      throw Wrong_answer("algebra: FLINT gives a wrong quotient of polynomials of the degrees "
+                         + std::to_string(p.size() - 1) + " and " + std::to_string(q.size() - 1));
     return flint.coefficients();
   }
   for (std::size_t k = result.size(); k-- > 0;) {

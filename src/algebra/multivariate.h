@@ -2,13 +2,16 @@
 #ifndef CORRAL_SRC_ALGEBRA_MULTIVARIATE_H
 #define CORRAL_SRC_ALGEBRA_MULTIVARIATE_H
 
+#include "../polynomial/verification.h"
+
 #include <corral/polynomial/Polynomial.h>
 
 #include <cstddef>
 #include <vector>
 
 /// \file
-/// Algebra of polynomials in several variables that is left to FLINT.
+/// Algebra of polynomials in several variables that is left to FLINT, and verified. Everything here throws
+/// Budget_exceeded if FLINT gives up, and Wrong_answer if what it says is not true.
 namespace corral::exact {
 
 /// f and g over their greatest common divisor.
@@ -20,16 +23,23 @@ struct Common_factor
   Polynomial<Integer, D> g;
 };
 
-/// \throw Budget_exceeded if FLINT gives up. \pre Neither is zero.
+/// \pre Neither is zero.
 template <std::size_t D>
-[[nodiscard]] Common_factor<D> common_factor(const Polynomial<Integer, D>& f, const Polynomial<Integer, D>& g);
+[[nodiscard]] Common_factor<D> common_factor(const Polynomial<Integer, D>& f, const Polynomial<Integer, D>& g,
+                                             const detail::Flint_functions& flint = {});
 
-/// The distinct irreducible factors over the rationals that are not constant. \throw Budget_exceeded if FLINT gives up.
-[[nodiscard]] std::vector<Polynomial<Integer, 3>> irreducible_factors(const Polynomial<Integer, 3>& f);
+/// \brief The distinct irreducible factors over the rationals that are not constant.
+///
+/// That their product is f, up to a constant, is verified; not that they are irreducible, since no proof rests on it.
+/// \pre f is not zero and has no repeated factor.
+[[nodiscard]] std::vector<Polynomial<Integer, 3>> irreducible_factors(const Polynomial<Integer, 3>& f,
+                                                                      const detail::Flint_functions& flint = {});
 
 /// \brief The resultant of f and g with respect to the last variable; zero if they have a common factor with it.
-/// \throw Budget_exceeded if FLINT gives up.
-[[nodiscard]] Polynomial<Integer, 2> resultant(const Polynomial<Integer, 3>& f, const Polynomial<Integer, 3>& g);
+///
+/// It is compared with the resultants of f and g at two points modulo a prime that FLINT has not used.
+[[nodiscard]] Polynomial<Integer, 2> resultant(const Polynomial<Integer, 3>& f, const Polynomial<Integer, 3>& g,
+                                               const detail::Flint_functions& flint = {});
 
 } // namespace corral::exact
 

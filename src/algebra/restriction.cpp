@@ -10,15 +10,20 @@
 
 namespace corral::exact {
 
+std::vector<Integer> homogeneous_powers(const Rational& value, std::size_t degree)
+{
+  std::vector<Integer> powers(degree + 1);
+  Integer numerator_power = 1;
+  for (std::size_t e = 0; e <= degree; ++e, numerator_power *= value.get_num()) powers[e] = numerator_power;
+  Integer denominator_power = 1;
+  for (std::size_t e = degree + 1; e-- > 0; denominator_power *= value.get_den()) powers[e] *= denominator_power;
+  return powers;
+}
+
 template <std::size_t D>
 Polynomial<Integer, D - 1> restriction(const Polynomial<Integer, D>& g, std::size_t axis, const Rational& value)
 {
-  const std::size_t n = g.degree(axis);
-  std::vector<Integer> weights(n + 1); // numerator^e * denominator^(n-e)
-  Integer numerator_power = 1;
-  for (std::size_t e = 0; e <= n; ++e, numerator_power *= value.get_num()) weights[e] = numerator_power;
-  Integer denominator_power = 1;
-  for (std::size_t e = n + 1; e-- > 0; denominator_power *= value.get_den()) weights[e] *= denominator_power;
+  const auto weights = homogeneous_powers(value, g.degree(axis));
   std::vector<typename Polynomial<Integer, D - 1>::Term> terms;
   for (const auto& term : g.terms()) {
     Exponents<D - 1> exponents{};

@@ -6,8 +6,12 @@
 #include <corral/polynomial/Polynomial.h>
 
 #include <cstddef>
+#include <vector>
 
 namespace corral::exact {
+
+/// numerator^e denominator^(degree - e) for e = 0, ..., degree: the powers of the value, times one positive number.
+[[nodiscard]] std::vector<Integer> homogeneous_powers(const Rational& value, std::size_t degree);
 
 /// g with one variable set to a rational value, times a positive integer, as a polynomial in the others.
 template <std::size_t D>

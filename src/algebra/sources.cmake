@@ -7,8 +7,8 @@ target_sources(corral PRIVATE
   algebra/Fibre.cpp
   algebra/Integer_polynomial.cpp
   algebra/Plane_system.cpp
-  algebra/Prime_field.cpp
   algebra/Real_root.cpp
+  algebra/definite.cpp
   algebra/exact_range.cpp
   algebra/integer_polynomial_gcd.cpp
   algebra/integer_polynomial_values.cpp

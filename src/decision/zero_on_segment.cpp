@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "zero_on_segment.h"
 
+#include "../polynomial/to_exponent.h"
+
 #include <corral/algebra/real_roots.h>
 #include <corral/polynomial/arithmetic.h>
 
@@ -52,7 +54,7 @@ Polynomial<Rational, D> monic(const Integer_polynomial& p, std::size_t axis)
   std::vector<typename Polynomial<Rational, D>::Term> terms;
   for (std::size_t i = 0; i < p.size(); ++i) {
     Exponents<D> exponents{};
-    exponents[axis] = static_cast<std::uint16_t>(i);
+    exponents[axis] = detail::to_exponent(i);
     terms.push_back({exponents, Rational(p[i]) / p.back()});
   }
   return collect<Rational, D>(std::move(terms));

@@ -3,5 +3,6 @@ target_sources(corral PRIVATE
   number/Environment.cpp
   number/Mpfr_interval.cpp
   number/Outward_rounding.cpp
+  number/Prime_field.cpp
   number/Rational.cpp
   number/format.cpp)

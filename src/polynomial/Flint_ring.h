@@ -2,6 +2,8 @@
 #ifndef CORRAL_SRC_POLYNOMIAL_FLINT_RING_H
 #define CORRAL_SRC_POLYNOMIAL_FLINT_RING_H
 
+#include "to_exponent.h"
+
 #include <corral/polynomial/square_free.h>
 
 #include <flint/fmpz_mpoly.h>
@@ -57,15 +59,18 @@ public:
   ~Flint_polynomial() { fmpz_mpoly_clear(value_, ring_.context()); }
 
   [[nodiscard]] fmpz_mpoly_struct* get() { return value_; }
+  [[nodiscard]] const fmpz_mpoly_struct* get() const { return value_; }
+  [[nodiscard]] slong length() const { return fmpz_mpoly_length(value_, ring_.context()); }
+  /// \throw Budget_exceeded if an exponent is above 65535.
   [[nodiscard]] Flat_terms terms() const
   {
     Flat_terms result{ring_.dimension(), {}, {}};
     std::vector<ulong> exponents(ring_.dimension());
     fmpz_t coefficient;
     fmpz_init(coefficient);
-    for (slong i = 0; i < fmpz_mpoly_length(value_, ring_.context()); ++i) {
+    for (slong i = 0; i < length(); ++i) {
       fmpz_mpoly_get_term_exp_ui(exponents.data(), value_, i, ring_.context());
-      for (const ulong exponent : exponents) result.exponents.push_back(static_cast<std::uint16_t>(exponent));
+      for (const ulong exponent : exponents) result.exponents.push_back(to_exponent(exponent));
       fmpz_mpoly_get_term_coeff_fmpz(coefficient, value_, i, ring_.context());
       fmpz_get_mpz(result.coefficients.emplace_back().get_mpz_t(), coefficient);
     }

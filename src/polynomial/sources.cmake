@@ -2,7 +2,8 @@
 target_sources(corral PRIVATE
   polynomial/parse.cpp
   polynomial/square_free.cpp
-  polynomial/substitution.cpp)
+  polynomial/substitution.cpp
+  polynomial/verification.cpp)
 
 # FLINT computes the greatest common divisors of polynomials in several variables.
 find_package(FLINT REQUIRED)

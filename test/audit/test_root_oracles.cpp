@@ -7,8 +7,8 @@
 
 #include <corral/decision/ideal_raster.h>
 
-#include <exact/Plane_system.h>
-#include <exact/restriction.h>
+#include <algebra/Plane_system.h>
+#include <algebra/restriction.h>
 
 #include <gtest/gtest.h>
 

@@ -45,7 +45,7 @@ template <std::size_t D>
 }
 
 /// Divides a non-zero polynomial by the greatest common divisor of its derivatives and itself.
-/// The sign is kept.
+/// The sign is kept. \throw Budget_exceeded; Wrong_answer.
 [[nodiscard]] Flat_terms square_free_part(const Flat_terms& f);
 
 } // namespace detail
@@ -56,7 +56,7 @@ template <std::size_t D>
 /// The leading coefficient (of the last term) has the sign of that of `f`. The square-free part of
 /// zero is zero, and that of another constant is 1 or -1.
 ///
-/// \throw Budget_exceeded if the greatest common divisor does not fit in memory.
+/// \throw Budget_exceeded if the greatest common divisor does not fit in memory; Wrong_answer if FLINT errs.
 /// \par Complexity  One or a few multivariate greatest common divisors (FLINT's modular methods).
 /// \par Reference  f / gcd(f, f_1, ..., f_D) is square-free in characteristic zero: Geddes, Czapor,
 ///      Labahn, Algorithms for Computer Algebra, chapter 8.

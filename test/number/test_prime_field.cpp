@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include <exact/Prime_field.h>
+#include <number/Prime_field.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CORRAL_SRC_ALGEBRA_PRIME_FIELD_H
-#define CORRAL_SRC_ALGEBRA_PRIME_FIELD_H
+#ifndef CORRAL_SRC_NUMBER_PRIME_FIELD_H
+#define CORRAL_SRC_NUMBER_PRIME_FIELD_H
 
 #include <corral/number/Rational.h>
 
