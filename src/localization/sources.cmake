@@ -2,10 +2,11 @@
 find_package(hwy REQUIRED)
 find_package(TBB REQUIRED)
 target_sources(corral PRIVATE
+  localization/fast/Exact_limits.cpp
   localization/fast/Fast_plan.cpp
   localization/fast/Member.cpp
   localization/fast/Monomial_shape.cpp
-  localization/fast/Root_form.cpp
+  localization/fast/Root_seed.cpp
   localization/fast/Rough_nodes.cpp
   localization/fast/Runner.cpp
   localization/fast/System_run.cpp

@@ -63,10 +63,12 @@ int sign_by_bound(const Polynomial<Rational, D>& f, const Rational_box<D>& box)
 }
 
 /// \brief What is true of a closed cell: `empty` or `hit` if subdividing it `depth` times shows it, else `unknown`.
+/// \param bound  the sign of f on a box if it has one there and that is seen, else 0.
 template <std::size_t D>
-Verdict exact_verdict(const Polynomial<Rational, D>& f, const Rational_box<D>& box, int depth)
+Verdict exact_verdict(const Polynomial<Rational, D>& f, const Rational_box<D>& box, int depth,
+                      int (*bound)(const Polynomial<Rational, D>&, const Rational_box<D>&) = sign_by_bound<D>)
 {
-  if (sign_by_bound(f, box) != 0) return Verdict::empty;
+  if (bound(f, box) != 0) return Verdict::empty;
   bool positive = false;
   bool negative = false;
   for (unsigned corner = 0; corner < (1U << D); ++corner) {
@@ -87,7 +89,7 @@ Verdict exact_verdict(const Polynomial<Rational, D>& f, const Rational_box<D>& b
       half[axis] = (part >> axis & 1) != 0 ? Rational_interval(middle, box[axis].upper())
                                            : Rational_interval(box[axis].lower(), middle);
     }
-    const Verdict verdict = exact_verdict(f, half, depth - 1);
+    const Verdict verdict = exact_verdict(f, half, depth - 1, bound);
     if (verdict == Verdict::hit) return Verdict::hit;
     all_empty = all_empty && verdict == Verdict::empty;
   }

@@ -3,6 +3,7 @@
 #include <corral/localization/localize_fast.h>
 
 #include "exact_cells.h"
+#include "localization/fast/Root_seed.h"
 #include "localization/fast/Subdivider.h"
 #include "paper_polynomials.h"
 #include "random_cases.h"
@@ -45,12 +46,17 @@ TEST(Localize_fast, agrees_with_exact_subdivision_in_space)
   EXPECT_EQ(find_wrong_verdict<3>(2, test::rounds(60), 11), "");
 }
 
-/// The cells of the plan, all in one piece and looked at once.
+/// The cells of the grid, all in one piece and looked at once.
 template <std::size_t D>
-Cell_set<D> run(fast::Plan<D> plan)
+Cell_set<D> run(const Polynomial<Rational, D>& f, const Grid<D>& grid, bool with_remainder)
 {
+  fast::Plan<D> plan(fast::Monomial_shape<D>(f), grid);
   plan.tells_hidden = plan.tells_rough = false;
-  const auto root = fast::root_seed(plan);
+  auto root = fast::root_seed(plan, f, grid);
+  if (!with_remainder) {
+    plan.rounding = fast::Rounding{};
+    root.remainder = 0;
+  }
   fast::Harvest<D> harvest;
   fast::make_subdivider(plan)->run(plan.root_level, {&root, 1}, 0, harvest);
   Cell_set<D> cells;
@@ -81,12 +87,7 @@ std::string find_rounding_fault(std::uint64_t seed, int rounds, bool with_remain
     mpq_div_2exp(tiny.get_mpq_t(), tiny.get_mpq_t(), static_cast<mp_bitcnt_t>(random.integer(60, 120)));
     f = f + constant<Rational, D>(offset + tiny);
     if (f.is_zero()) continue;
-    fast::Plan<D> plan(f, grid);
-    if (!with_remainder) {
-      plan.rounding = fast::Rounding{};
-      plan.root.remainder = 0;
-    }
-    const auto cells = run(plan);
+    const auto cells = run(f, grid, with_remainder);
     for (unsigned side = 0; side < (1U << D); ++side) {
       Cell<D> cell = corner;
       bool inside = true;

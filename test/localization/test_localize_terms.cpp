@@ -81,9 +81,7 @@ Faults find_faults(std::uint64_t seed, int rounds)
     if (!std::ranges::all_of(f.terms(), is_unscaled)) continue; // since the form is of f times a power of two
     const auto grid = random_grid<D>(random, 1000);
     const Subdivision_tree<D> tree(grid.resolution());
-    const auto shape = Term_form<D>::model_shape();
-    std::vector<Exponents<D>> orders;
-    for (const auto& term : shape.terms()) orders.push_back(term.exponents);
+    const auto orders = Term_form<D>::model_monomials();
     const Term_form<D> form(f, orders);
     const fast::Grid_lines<D> lines(grid);
     Term_bounds<D> bounds(form, lines, tree);

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Fast_plan.h"
 
+#include "Exact_limits.h"
+
 #include <corral/errors.h>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace corral::fast {
 
@@ -38,25 +41,19 @@ Rounding proved_rounding(std::size_t dimension, unsigned degree)
 }
 
 template <std::size_t D>
-Plan<D>::Plan(const Polynomial<Rational, D>& f, const Grid<D>& grid)
-    : shape(f), tree(grid.resolution()), resolution(grid.resolution()), cells_log2(padded_exponents(resolution)),
-      root_level(*std::max_element(cells_log2.begin(), cells_log2.end())),
+Plan<D>::Plan(Monomial_shape<D> monomials, const Grid<D>& grid)
+    : shape(std::move(monomials)), tree(grid.resolution()), resolution(grid.resolution()),
+      cells_log2(padded_exponents(resolution)), root_level(*std::max_element(cells_log2.begin(), cells_log2.end())),
       leaf_level(std::min(root_level, static_cast<unsigned>(std::countr_zero(block_side<D>)))),
-      rough_level(std::min(leaf_level + 1, root_level)), rounding(proved_rounding(D, shape.degree())),
-      root(root_form(f, shape, grid, cells_log2))
+      rough_level(std::min(leaf_level + 1, root_level)), rounding(proved_rounding(D, shape.degree()))
 {
   power_of_half.resize(shape.degree() + std::size_t{1});
   for (std::size_t d = 0; d < power_of_half.size(); ++d) power_of_half[d] = std::ldexp(1.0, -static_cast<int>(d));
   for (unsigned level = 0; level <= root_level; ++level)
     cell_share.push_back(std::ldexp(1.0, -static_cast<int>(level)));
-  const int degree = static_cast<int>(shape.degree());
-  for (int depth = 0; depth <= static_cast<int>(root_level); ++depth)
-    exact_below.push_back(std::ldexp(root.quantum, 52 - depth * degree));
-  constexpr int corner_bits = 2; // a leaf has at most 8 cells a side: coordinates of corners are multiples of 2^-2
-  const int probe_bits = corner_bits + 1 + std::countr_zero(probe_pieces);
-  const double leaf_limit = exact_below[root_level - leaf_level];
-  exact_corner = std::ldexp(leaf_limit, -degree * corner_bits);
-  exact_probe = std::ldexp(leaf_limit, -degree * probe_bits);
+  constexpr std::uint32_t most_cells = block_side<D> * std::uint32_t{leaf_blocks}; // of a leaf, along one axis
+  static_assert(most_cells == 2U << corner_bits, "coordinates of corners are multiples of 2^-corner_bits");
+  static_assert(most_cells * probe_pieces <= 2U << probe_bits, "those of probes, of 2^-probe_bits");
   for (std::size_t axis = 0; axis < D; ++axis) {
     linear[axis] = shape.pure_power(axis, 1);
     square[axis] = shape.pure_power(axis, 2);
@@ -77,18 +74,6 @@ Plan<D>::Plan(const Polynomial<Rational, D>& f, const Grid<D>& grid)
   }
 }
 
-template <std::size_t D>
-Seed<D> root_seed(const Plan<D>& plan)
-{
-  Seed<D> seed;
-  double norm = 0;
-  for (const double c : plan.root.coefficients) norm += std::abs(c);
-  seed.rows = {plan.root.remainder, norm * plan.rounding.sum};
-  seed.rows.resize(2 + D, 0.0); // the corner is the origin
-  seed.rows.insert(seed.rows.end(), plan.root.coefficients.begin(), plan.root.coefficients.end());
-  return seed;
-}
-
 void throw_over_budget(std::uint64_t budget)
 {
   throw Budget_exceeded("localize_fast: more than " + std::to_string(budget)
@@ -97,7 +82,5 @@ void throw_over_budget(std::uint64_t budget)
 
 template struct Plan<2>;
 template struct Plan<3>;
-template Seed<2> root_seed<2>(const Plan<2>&);
-template Seed<3> root_seed<3>(const Plan<3>&);
 
 } // namespace corral::fast

@@ -4,7 +4,7 @@
 
 #include "Block_list.h"
 #include "Monomial_shape.h"
-#include "Root_form.h"
+#include "Seed.h"
 
 #include <corral/localization/Subdivision.h>
 
@@ -32,7 +32,7 @@ struct Rounding
 /// The constants that make every verdict a proof, for a shape of this degree.
 [[nodiscard]] Rounding proved_rounding(std::size_t dimension, unsigned degree);
 
-/// \brief All that stays constant during one run.
+/// \brief What follows from a grid and a shape, and so is the same for all forms of that shape.
 template <std::size_t D>
 struct Plan
 {
@@ -50,7 +50,7 @@ struct Plan
   /// Blocks in a leaf: in space two of them lie side by side along the last axis, so that all lanes have work.
   static constexpr std::size_t leaf_blocks = D == 2 ? 1 : 2;
 
-  Plan(const Polynomial<Rational, D>& f, const Grid<D>& grid);
+  Plan(Monomial_shape<D> monomials, const Grid<D>& grid);
 
   /// Whether the children of a node of this level halve `axis`.
   [[nodiscard]] bool halves(unsigned level, std::size_t axis) const
@@ -76,13 +76,9 @@ struct Plan
   bool tells_rough = true;  ///< the same for rough nodes
   std::uint64_t cell_budget = std::numeric_limits<std::uint64_t>::max(); ///< most plotted cells of one worker
   Rounding rounding;
-  Root_form root;
-  std::vector<double> power_of_half; ///< power_of_half[d] = 2^-d
-  std::vector<double> leaf_scale;    ///< by position: the scale of the split that makes leaves
-  std::vector<double> cell_share;    ///< by level: the width of a cell, relative to the node
-  std::vector<double> exact_below;   ///< by tree depth: forms of at most this norm are split into that depth exactly
-  double exact_corner; ///< leaf forms of at most this norm are evaluated exactly at the corners of the cells
-  double exact_probe;  ///< the same for the points of the finest lattice in a cell
+  std::vector<double> power_of_half;               ///< power_of_half[d] = 2^-d
+  std::vector<double> leaf_scale;                  ///< by position: the scale of the split that makes leaves
+  std::vector<double> cell_share;                  ///< by level: the width of a cell, relative to the node
   std::array<std::vector<Weight>, D> weights;      ///< by position, without 1 and x_axis
   std::array<std::size_t, D> linear;               ///< position of x_axis
   std::array<std::size_t, D> square;               ///< position of x_axis^2
@@ -91,29 +87,12 @@ struct Plan
   std::array<double, D> sag; ///< 1 / (2 leaf_cells^2): how far a unit second derivative bends away from a chord
 };
 
-/// \brief A node on its way from one worker to another: remainder, norm, corner and coefficients.
-template <std::size_t D>
-struct Seed
-{
-  std::size_t cut = 0; ///< which class of the shape
-  std::vector<double> rows;
-};
-
-/// The first cell of a seed's node.
-template <std::size_t D>
-[[nodiscard]] Cell<D> corner_of(const Seed<D>& seed)
-{
-  Cell<D> corner;
-  for (std::size_t axis = 0; axis < D; ++axis) corner[axis] = static_cast<std::uint32_t>(seed.rows[2 + axis]);
-  return corner;
-}
-
 /// A node in which the remainder hides the polynomial. A root form of its own, rounded anew, can see more.
 template <std::size_t D>
 struct Hidden_node
 {
   unsigned level;
-  std::array<std::uint32_t, D> corner;
+  Cell<D> corner;
 };
 
 /// What a worker found.
@@ -126,10 +105,6 @@ struct Harvest
   std::vector<Seed<D>> rough;         ///< nodes of `rough_level` left undecided, to be cut into smaller blocks
   std::uint64_t nodes = 0;            ///< nodes bounded
 };
-
-/// The root of the tree.
-template <std::size_t D>
-[[nodiscard]] Seed<D> root_seed(const Plan<D>& plan);
 
 /// \throw Budget_exceeded always.
 [[noreturn]] void throw_over_budget(std::uint64_t budget);

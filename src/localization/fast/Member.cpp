@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Member.h"
 
+#include "Root_seed.h"
 #include "Rough_nodes.h"
 #include "Term_form.h"
 #include "Term_nodes.h"
@@ -30,13 +31,14 @@ template <std::size_t D>
 class Dense_member final : public Member<D>
 {
 public:
-  Dense_member(const Polynomial<Rational, D>& f, const Grid<D>& grid, bool refines) : f_(f), grid_(grid), plan_(f, grid)
+  Dense_member(const Polynomial<Rational, D>& f, const Grid<D>& grid, bool refines)
+      : f_(f), grid_(grid), plan_(Monomial_shape<D>(f), grid)
   {
     plan_.tells_rough = refines && Rough_nodes<D>::can_decide(f, grid);
   }
 
   [[nodiscard]] const Plan<D>& plan() const override { return plan_; }
-  [[nodiscard]] Seed<D> root() const override { return root_seed(plan_); }
+  [[nodiscard]] Seed<D> root() const override { return root_seed(plan_, f_, grid_); }
 
   [[nodiscard]] Harvest<D> children(unsigned level, std::vector<Open_node<D>>&& nodes) override
   {

@@ -25,6 +25,14 @@ bool is_even(const Exponents<D>& exponents)
   return std::all_of(exponents.begin(), exponents.end(), [](auto e) { return e % 2 == 0; });
 }
 
+template <std::size_t D>
+std::vector<Exponents<D>> exponents_of(const Polynomial<Rational, D>& f)
+{
+  std::vector<Exponents<D>> result;
+  for (const auto& term : f.terms()) result.push_back(term.exponents);
+  return result;
+}
+
 /// Where the engine may cut the degree: every degree while that is cheap, then in steps.
 std::vector<unsigned> class_degrees(unsigned degree)
 {
@@ -56,9 +64,13 @@ typename Monomial_shape<D>::Lines shortened(const typename Monomial_shape<D>::Li
 } // namespace
 
 template <std::size_t D>
-Monomial_shape<D>::Monomial_shape(const Polynomial<Rational, D>& f)
+Monomial_shape<D>::Monomial_shape(const Polynomial<Rational, D>& f) : Monomial_shape(exponents_of(f))
+{}
+
+template <std::size_t D>
+Monomial_shape<D>::Monomial_shape(const std::vector<Exponents<D>>& monomials)
 {
-  collect_divisors(f);
+  collect_divisors(monomials);
   const auto degrees = class_degrees(degree());
   classes_.reserve(degrees.size());
   for (const unsigned d : degrees) {
@@ -84,19 +96,19 @@ std::size_t Monomial_shape<D>::pure_power(std::size_t axis, unsigned power) cons
 }
 
 template <std::size_t D>
-void Monomial_shape<D>::collect_divisors(const Polynomial<Rational, D>& f)
+void Monomial_shape<D>::collect_divisors(const std::vector<Exponents<D>>& monomials)
 {
   constexpr std::size_t max_dense = 16 * max_size;
   std::size_t cells = 1;
   for (std::size_t axis = 0; axis < D; ++axis) {
-    extent_[axis] = f.degree(axis) + std::size_t{1};
+    for (const auto& exponents : monomials) extent_[axis] = std::max(extent_[axis], exponents[axis] + std::size_t{1});
     if (cells > max_dense / extent_[axis])
       throw Budget_exceeded("localize_fast: the degrees of the polynomial multiply to more than "
                             + std::to_string(max_dense) + " monomials");
     cells *= extent_[axis];
   }
   position_.assign(cells, absent);
-  for (const auto& term : f.terms()) position_[dense(term.exponents)] = 0;
+  for (const auto& exponents : monomials) position_[dense(exponents)] = 0;
   for (std::size_t axis = 0, stride = cells; axis < D; ++axis) {
     const std::size_t block = stride;
     stride /= extent_[axis];

@@ -11,7 +11,7 @@
 
 namespace corral::fast {
 
-/// \brief Which monomials a Taylor form has: the divisors of the monomials of a polynomial, so that shifts stay inside.
+/// \brief Which monomials a Taylor form has: the divisors of those of a polynomial, so that shifts stay inside.
 ///
 /// They are stored by total degree, even monomials (all exponents even) first within a degree: cutting off the
 /// degrees above d keeps a prefix. Each cut that the engine may make is a *class*; class 0 is the whole shape.
@@ -43,6 +43,7 @@ public:
   };
 
   /// \throw Budget_exceeded if there are more than `max_size` monomials.
+  explicit Monomial_shape(const std::vector<Exponents<D>>& monomials);
   explicit Monomial_shape(const Polynomial<Rational, D>& f);
 
   static constexpr std::size_t max_size = std::size_t{1} << 20;
@@ -70,7 +71,7 @@ private:
     for (std::size_t axis = 0; axis < D; ++axis) cell = cell * extent_[axis] + exponents[axis];
     return cell;
   }
-  void collect_divisors(const Polynomial<Rational, D>& f);
+  void collect_divisors(const std::vector<Exponents<D>>& monomials);
   [[nodiscard]] Lines lines_of(std::size_t axis) const;
 
   std::array<std::size_t, D> extent_{};

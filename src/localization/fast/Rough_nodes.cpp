@@ -69,13 +69,13 @@ Harvest<D> Rough_nodes<D>::decide(Task<D> seeds) const
 {
   if (twice_) return twice_->decide(seeds);
   std::vector<Cell<D>> corners;
-  for (const auto& seed : seeds) corners.push_back(corner_of(seed));
+  for (const auto& seed : seeds) corners.push_back(seed.corner);
   return by_terms_->decide(level_, corners);
 }
 
 template <std::size_t D>
 Rough_nodes<D>::Twice::Twice(const Polynomial<Rational, D>& polynomial, const Grid<D>& grid, const Plan<D>& given)
-    : f(polynomial), plan(given), fine_grid(refined(grid)), fine_plan(f, fine_grid)
+    : f(polynomial), plan(given), fine_grid(refined(grid)), fine_plan(plan.shape, fine_grid)
 {
   plan.tells_rough = plan.tells_hidden = fine_plan.tells_rough = false;
   plan.cell_budget = std::numeric_limits<std::uint64_t>::max(); // counted once both are merged
@@ -88,7 +88,7 @@ Harvest<D> Rough_nodes<D>::Twice::decide(Task<D> seeds) const
   subdivide(plan, plan.rough_level, seeds, 0, coarse);
   std::vector<Seed<D>> fine_seeds(seeds.begin(), seeds.end());
   for (auto& seed : fine_seeds)
-    for (std::size_t axis = 0; axis < D; ++axis) seed.rows[2 + axis] *= block_side<D>;
+    for (auto& line : seed.corner) line *= block_side<D>;
   Harvest<D> fine;
   subdivide<D>(fine_plan, plan.rough_level + (fine_plan.root_level - plan.root_level), fine_seeds, 0, fine);
   for (const auto& node : fine.hidden) {

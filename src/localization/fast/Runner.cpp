@@ -2,6 +2,7 @@
 #include "Runner.h"
 
 #include "Fast_plan.h"
+#include "Root_seed.h"
 #include "Rough_nodes.h"
 #include "System_run.h"
 #include "Term_form.h"
@@ -47,8 +48,8 @@ class Runner
 {
 public:
   Runner(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Fast_options& options, bool refines)
-      : f_(f), grid_(grid), options_(options), threads_(thread_count(options.threads)), plan_(f, grid),
-        subdividers_([this] { return make_subdivider(plan_); })
+      : f_(f), grid_(grid), options_(options), threads_(thread_count(options.threads)),
+        plan_(Monomial_shape<D>(f), grid), subdividers_([this] { return make_subdivider(plan_); })
   {
     plan_.cell_budget = options.cell_budget;
     plan_.tells_rough = refines && Rough_nodes<D>::can_decide(f, grid);
@@ -63,7 +64,7 @@ private:
   Localization<D> run_here()
   {
     const Nearest_scope environment;
-    const Seed<D> root = root_seed(plan_);
+    const Seed<D> root = root_seed(plan_, f_, grid_);
     const unsigned level = task_level(plan_);
     Harvest<D> top;
     subdividers_.local()->run(plan_.root_level, {&root, 1}, level, top);
@@ -150,7 +151,7 @@ private:
     const Rough_nodes<D> nodes(f_, grid_, plan_);
     auto seeds = std::exchange(rough_, {});
     std::sort(seeds.begin(), seeds.end(),
-              [](const auto& a, const auto& b) { return std::tie(a.cut, a.rows) < std::tie(b.cut, b.rows); });
+              [](const auto& a, const auto& b) { return std::tie(a.cut, a.corner) < std::tie(b.cut, b.corner); });
     const auto tasks = grouped<D>(seeds);
     begin(tasks.size());
     in_parallel(tasks.size(), [&](std::size_t t) { collect(nodes.decide(tasks[t]), blocks, 1); });

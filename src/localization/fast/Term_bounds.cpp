@@ -38,10 +38,12 @@ template <std::size_t D>
 Seed<D> Low_form<D>::seed(const Cell<D>& corner, const Rounding& rounding) const
 {
   const double unit = std::ldexp(1.0, -std::ilogb(norm) - 1);
+  Seed<D> seed; // of no known quantum
   // What falls among the subnormals errs by less than 2^-1074 a coefficient, which `underflow` covers.
-  Seed<D> seed{0, {(remainder * unit + rounding.underflow) * rounding.step, norm * unit}};
-  seed.rows.insert(seed.rows.end(), corner.begin(), corner.end());
-  for (const double c : coefficients) seed.rows.push_back(c * unit);
+  seed.remainder = (remainder * unit + rounding.underflow) * rounding.step;
+  seed.norm = norm * unit;
+  seed.corner = corner;
+  for (const double c : coefficients) seed.coefficients.push_back(c * unit);
   return seed;
 }
 

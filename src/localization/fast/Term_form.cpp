@@ -100,12 +100,12 @@ bool Term_form<D>::suits(const Polynomial<Rational, D>& f, const Grid<D>& grid)
 }
 
 template <std::size_t D>
-Polynomial<Rational, D> Term_form<D>::model_shape()
+std::vector<Exponents<D>> Term_form<D>::model_monomials()
 {
-  std::vector<typename Polynomial<Rational, D>::Term> terms;
+  std::vector<Exponents<D>> result;
   for (unsigned d = 0; d <= model_degree; ++d)
-    for (const auto& exponents : exponents_of_degree<D>(d)) terms.push_back({exponents, Rational(1, 3)});
-  return collect<Rational, D>(std::move(terms));
+    for (const auto& exponents : exponents_of_degree<D>(d)) result.push_back(exponents);
+  return result;
 }
 
 template <std::size_t D>

@@ -33,8 +33,8 @@ public:
   /// Whether to do without a dense form on this grid: the terms are few and, it seems, less work.
   [[nodiscard]] static bool suits(const Polynomial<Rational, D>& f, const Grid<D>& grid);
 
-  /// A polynomial that has all monomials up to `model_degree`.
-  [[nodiscard]] static Polynomial<Rational, D> model_shape();
+  /// All monomials up to `model_degree`.
+  [[nodiscard]] static std::vector<Exponents<D>> model_monomials();
 
   /// A product of a coefficient and one power of each coordinate, by its place in the list of powers.
   struct Term

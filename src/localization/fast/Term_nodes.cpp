@@ -23,8 +23,7 @@ public:
   void children(const Node& node)
   {
     for_each_open_child(node, [&](const Node& child) {
-      found_.seeds.push_back({0, {0, 0}}); // without coefficients
-      found_.seeds.back().rows.insert(found_.seeds.back().rows.end(), child.corner.begin(), child.corner.end());
+      found_.seeds.emplace_back().corner = child.corner; // without coefficients
     });
   }
 
@@ -83,7 +82,7 @@ private:
 
 template <std::size_t D>
 Term_nodes<D>::Term_nodes(const Polynomial<Rational, D>& f, const Grid<D>& grid)
-    : plan_(Term_form<D>::model_shape(), grid), form_(f, plan_.shape.exponents()), lines_(grid)
+    : plan_(Monomial_shape<D>(Term_form<D>::model_monomials()), grid), form_(f, plan_.shape.exponents()), lines_(grid)
 {
   plan_.tells_rough = plan_.tells_hidden = false;
 }

@@ -26,7 +26,7 @@ public:
   /// \param seeds  of one level.
   explicit Bands(std::vector<Seed<D>> seeds) : seeds_(std::move(seeds))
   {
-    const auto layer = [](const Seed<D>& seed) { return seed.rows[2]; };
+    const auto layer = [](const Seed<D>& seed) { return seed.corner[0]; };
     std::ranges::stable_sort(seeds_, {}, layer);
     for (std::size_t first = 0, end = 0; first < seeds_.size(); first = end) {
       end = std::min(first + most, seeds_.size());

@@ -38,7 +38,7 @@ template <std::size_t D>
   nodes.reserve(harvest.seeds.size() + harvest.rough.size() + harvest.hidden.size());
   const auto add = [&](std::vector<Seed<D>>& seeds, typename Open_node<D>::Kind kind) {
     for (auto& seed : seeds) {
-      const auto corner = corner_of(seed);
+      const auto corner = seed.corner;
       nodes.push_back({corner, kind, std::move(seed)});
     }
   };

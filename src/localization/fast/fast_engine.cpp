@@ -7,7 +7,9 @@
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #include <hwy/foreach_target.h>
 
+#include "Exact_limits.h"
 #include "Subdivider.h"
+#include "arithmetic-inl.h"
 #include "leaf_decision-inl.h"
 #include "node_pool-inl.h"
 #include "node_tests-inl.h"
@@ -41,7 +43,7 @@ public:
 
 private:
   using Cut = typename Monomial_shape<D>::Class;
-  static constexpr std::size_t header = Pool<D>::header;
+  using Pool_row = typename Pool<D>::Row;
 
   [[nodiscard]] const Cut& cut(std::size_t k) const { return plan_.shape.classes()[k]; }
   [[nodiscard]] Pool<D>& pool(unsigned level, std::size_t k) { return pools_[level * cuts_ + k]; }
@@ -53,7 +55,7 @@ private:
   void admit(unsigned level, std::size_t k, const double* c);
   [[nodiscard]] unsigned inside() const;
   void emit_hidden(unsigned level, unsigned lanes);
-  void emit_rough(std::size_t k, const double* c, unsigned lanes);
+  void emit_rough(unsigned level, std::size_t k, const double* c, unsigned lanes);
   void append(unsigned level, std::size_t k, const double* c, unsigned kept);
   void decide_leaves(const Pool<D>& from, std::size_t k);
   void emit_seeds(unsigned level);
@@ -61,6 +63,7 @@ private:
   const Plan<D>& plan_;
   unsigned stop_level_ = 0;
   Harvest<D>* harvest_ = nullptr;
+  Exact_limits exact_;
   std::size_t cuts_;
   std::vector<Pool<D>> pools_;
   std::vector<std::size_t> level_count_; // nodes of one level
@@ -69,6 +72,7 @@ private:
   hwy::AlignedFreeUniquePtr<double[]> workspace_;
   double* stage_[D + 1]; // stage_[k]: coefficients shifted along k axes
   unsigned valid_ = 0;   // the lanes that hold a node
+  Arithmetic arithmetic_{[] { return 0U; }};
   alignas(64) double remainder_[batch];
   alignas(64) double norm_[batch];
   alignas(64) double corner_[D][batch];
@@ -102,7 +106,7 @@ void Worker<D>::split(unsigned level, std::size_t k)
   level_count_[level] -= taken;
   valid_ = (1U << taken) - 1;
   if (taken < batch) // the other lanes compute with zeros
-    for (std::size_t row = 0; row < header + cut(k).size; ++row)
+    for (std::size_t row = 0; row < Pool_row::coefficients + cut(k).size; ++row)
       std::fill(from.row(row) + from.count + taken, from.row(row) + from.count + batch, 0.0);
   if (level == plan_.leaf_level) return decide_leaves(from, k);
   take(from, level, k);
@@ -115,12 +119,14 @@ void Worker<D>::take(const Pool<D>& from, unsigned level, std::size_t k)
 {
   const auto row = [&](std::size_t i) HWY_ATTR { return load(from.row(i) + from.count); };
   const Rounding& r = plan_.rounding;
-  const Octet norm = row(1);
-  const Octet rounded = (row(0) + (norm * set(r.split) + set(r.underflow))) * set(r.step);
-  const Octet exact_norm = set(plan_.exact_below[plan_.root_level - (level - 1)]);
-  store(if_at_most(norm, exact_norm, row(0), rounded), remainder_);
+  const Octet norm = row(Pool_row::norm);
+  const Octet remainder = row(Pool_row::remainder);
+  const Octet rounded = (remainder + (norm * set(r.split) + set(r.underflow))) * set(r.step);
+  const Octet exact_norm = set(exact_.split(level - 1));
+  store(if_at_most(norm, exact_norm, remainder, rounded), remainder_);
+  arithmetic_ = Arithmetic([&]() HWY_ATTR { return at_most(norm, exact_norm); });
   store(norm, norm_);
-  for (std::size_t axis = 0; axis < D; ++axis) store(row(2 + axis), corner_[axis]);
+  for (std::size_t axis = 0; axis < D; ++axis) store(row(Pool_row::corner + axis), corner_[axis]);
   unsigned halved = 0;
   for (std::size_t axis = 0; axis < D; ++axis)
     if (plan_.halves(level, axis)) halved |= 1U << axis;
@@ -128,20 +134,22 @@ void Worker<D>::take(const Pool<D>& from, unsigned level, std::size_t k)
     std::size_t i = 0;
     for (unsigned d = 0; d <= cut(k).degree; ++d) {
       const Octet scale = set(plan_.power_of_half[d]);
-      for (; i < plan_.shape.degree_end(d); ++i) store(row(header + i) * scale, stage_[0] + i * batch);
+      for (; i < plan_.shape.degree_end(d); ++i)
+        store(arithmetic_.product(row(Pool_row::coefficients + i), scale), stage_[0] + i * batch);
     }
     return;
   }
   if (level == plan_.leaf_level + 1) {
     for (std::size_t i = 0; i < cut(k).size; ++i)
-      store(row(header + i) * set(plan_.leaf_scale[i]), stage_[0] + i * batch);
+      store(arithmetic_.product(row(Pool_row::coefficients + i), set(plan_.leaf_scale[i])), stage_[0] + i * batch);
     return;
   }
   for (std::size_t i = 0; i < cut(k).size; ++i) {
     unsigned exponent = 0;
     for (std::size_t axis = 0; axis < D; ++axis)
       if ((halved >> axis & 1) != 0) exponent += plan_.shape.exponents()[i][axis];
-    store(row(header + i) * set(plan_.power_of_half[exponent]), stage_[0] + i * batch);
+    store(arithmetic_.product(row(Pool_row::coefficients + i), set(plan_.power_of_half[exponent])),
+          stage_[0] + i * batch);
   }
 }
 
@@ -154,11 +162,11 @@ void Worker<D>::children(unsigned level, std::size_t k, const double* from)
   } else {
     if (!plan_.halves(level + 1, axis)) return children<axis + 1>(level, k, from);
     double* const to = stage_[axis + 1];
-    shift_lines<false>(cut(k).lines[axis], from, to);
+    shift_lines<false>(arithmetic_, cut(k).lines[axis], from, to);
     children<axis + 1>(level, k, to);
     const Octet lower = load(corner_[axis]);
     store(lower + set(plan_.tree.span(level, axis)), corner_[axis]);
-    shift_lines<true>(cut(k).lines[axis], from, to);
+    shift_lines<true>(arithmetic_, cut(k).lines[axis], from, to);
     children<axis + 1>(level, k, to);
     store(lower, corner_[axis]);
   }
@@ -177,7 +185,7 @@ void Worker<D>::admit(unsigned level, std::size_t k, const double* c)
     }
   if (plan_.tells_rough && kept != 0 && level == plan_.rough_level && cut(k).degree > 2)
     if (const unsigned rough = kept & tests_.rough(cut(k)); rough != 0) {
-      emit_rough(k, c, rough);
+      emit_rough(level, k, c, rough);
       kept &= ~rough;
     }
   if (kept == 0) return;
@@ -188,11 +196,11 @@ template <std::size_t D>
 void Worker<D>::decide_leaves(const Pool<D>& from, std::size_t k)
 {
   const auto copy = [&](std::size_t row, double* to) HWY_ATTR { store(load(from.row(row) + from.count), to); };
-  copy(0, remainder_);
-  copy(1, norm_);
-  for (std::size_t axis = 0; axis < D; ++axis) copy(2 + axis, corner_[axis]);
-  for (std::size_t i = 0; i < cut(k).size; ++i) copy(header + i, stage_[0] + i * batch);
-  leaves_.decide({cut(k), stage_[0], remainder_, norm_, corner_, valid_}, harvest_->blocks);
+  copy(Pool_row::remainder, remainder_);
+  copy(Pool_row::norm, norm_);
+  for (std::size_t axis = 0; axis < D; ++axis) copy(Pool_row::corner + axis, corner_[axis]);
+  for (std::size_t i = 0; i < cut(k).size; ++i) copy(Pool_row::coefficients + i, stage_[0] + i * batch);
+  leaves_.decide({cut(k), stage_[0], remainder_, norm_, corner_, exact_, valid_}, harvest_->blocks);
 }
 
 /// The lanes that hold a node with cells of the grid.
@@ -216,13 +224,13 @@ void Worker<D>::emit_hidden(unsigned level, unsigned lanes)
 }
 
 template <std::size_t D>
-void Worker<D>::emit_rough(std::size_t k, const double* c, unsigned lanes)
+void Worker<D>::emit_rough(unsigned level, std::size_t k, const double* c, unsigned lanes)
 {
   for (; lanes != 0; lanes &= lanes - 1) {
     const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-    Seed<D> seed{k, {tests_.remainder()[lane], tests_.norm()[lane]}};
-    for (std::size_t axis = 0; axis < D; ++axis) seed.rows.push_back(corner_[axis][lane]);
-    for (std::size_t i = 0; i < cut(k).size; ++i) seed.rows.push_back(c[i * batch + lane]);
+    Seed<D> seed{k, exact_.quantum(level), tests_.remainder()[lane], tests_.norm()[lane], {}, {}};
+    for (std::size_t axis = 0; axis < D; ++axis) seed.corner[axis] = static_cast<std::uint32_t>(corner_[axis][lane]);
+    for (std::size_t i = 0; i < cut(k).size; ++i) seed.coefficients.push_back(c[i * batch + lane]);
     harvest_->rough.push_back(std::move(seed));
   }
 }
@@ -240,10 +248,10 @@ void Worker<D>::append(unsigned level, std::size_t k, const double* c, unsigned 
       const auto all = hn::LoadU(Tag(), values + p * part_lanes);
       hn::StoreU(hn::TableLookupLanes(all, order), Tag(), to.row(row) + to.count);
     };
-    add(0, tests_.remainder());
-    add(1, tests_.norm());
-    for (std::size_t axis = 0; axis < D; ++axis) add(2 + axis, corner_[axis]);
-    for (std::size_t i = 0; i < cut(k).size; ++i) add(header + i, c + i * batch);
+    add(Pool_row::remainder, tests_.remainder());
+    add(Pool_row::norm, tests_.norm());
+    for (std::size_t axis = 0; axis < D; ++axis) add(Pool_row::corner + axis, corner_[axis]);
+    for (std::size_t i = 0; i < cut(k).size; ++i) add(Pool_row::coefficients + i, c + i * batch);
     to.count += static_cast<unsigned>(std::popcount(lanes));
   }
   level_count_[level] += static_cast<unsigned>(std::popcount(kept));
@@ -256,9 +264,12 @@ void Worker<D>::emit_seeds(unsigned level)
   for (std::size_t k = 0; k < cuts_; ++k) {
     Pool<D>& from = pool(level, k);
     for (std::size_t lane = 0; lane < from.count; ++lane) {
-      Seed<D> seed{k, {}};
-      seed.rows.reserve(header + cut(k).size);
-      for (std::size_t row = 0; row < header + cut(k).size; ++row) seed.rows.push_back(from.row(row)[lane]);
+      const auto value = [&](std::size_t row) { return from.row(row)[lane]; };
+      Seed<D> seed{k, exact_.quantum(level), value(Pool_row::remainder), value(Pool_row::norm), {}, {}};
+      for (std::size_t axis = 0; axis < D; ++axis)
+        seed.corner[axis] = static_cast<std::uint32_t>(value(Pool_row::corner + axis));
+      seed.coefficients.reserve(cut(k).size);
+      for (std::size_t i = 0; i < cut(k).size; ++i) seed.coefficients.push_back(value(Pool_row::coefficients + i));
       harvest_->seeds.push_back(std::move(seed));
     }
     from.count = 0;
@@ -271,10 +282,11 @@ void Worker<D>::run(unsigned level, std::span<const Seed<D>> seeds, unsigned sto
 {
   stop_level_ = stop_level;
   harvest_ = &harvest;
+  exact_.reset(plan_.shape.degree(), level, plan_.leaf_level, common_quantum(seeds));
   if (level == plan_.root_level) {
-    const auto& rows = seeds[0].rows;
-    for (std::size_t i = 0; i < cut(0).size; ++i) store(set(rows[header + i]), stage_[0] + i * batch);
-    store(set(rows[0]), remainder_);
+    const Seed<D>& root = seeds[0];
+    for (std::size_t i = 0; i < cut(0).size; ++i) store(set(root.coefficients[i]), stage_[0] + i * batch);
+    store(set(root.remainder), remainder_);
     for (std::size_t axis = 0; axis < D; ++axis) store(set(0), corner_[axis]);
     valid_ = 1;
     admit(level, 0, stage_[0]);
@@ -282,7 +294,11 @@ void Worker<D>::run(unsigned level, std::span<const Seed<D>> seeds, unsigned sto
     for (const Seed<D>& seed : seeds) {
       Pool<D>& to = pool(level, seed.cut);
       to.prepare(cut(seed.cut).size);
-      for (std::size_t row = 0; row < seed.rows.size(); ++row) to.row(row)[to.count] = seed.rows[row];
+      const auto put = [&](std::size_t row, double value) { to.row(row)[to.count] = value; };
+      put(Pool_row::remainder, seed.remainder);
+      put(Pool_row::norm, seed.norm);
+      for (std::size_t axis = 0; axis < D; ++axis) put(Pool_row::corner + axis, seed.corner[axis]);
+      for (std::size_t i = 0; i < seed.coefficients.size(); ++i) put(Pool_row::coefficients + i, seed.coefficients[i]);
       ++to.count;
     }
     level_count_[level] = seeds.size();

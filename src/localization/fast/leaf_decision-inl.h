@@ -17,18 +17,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace corral::fast::HWY_NAMESPACE {
 
-/// Eight leaf forms, one lane each.
-template <std::size_t D>
-struct Leaf_batch
-{
-  const typename Monomial_shape<D>::Class& cut;
-  const double* coefficients;    ///< an octet each
-  const double* remainder;       ///< an octet
-  const double* norm;            ///< an octet
-  const double (*corner)[batch]; ///< D octets
-  unsigned lanes;                ///< those that hold a leaf to decide
-};
-
 /// \brief Decides the cells of leaves and harvests those that are not empty.
 template <std::size_t D>
 class Leaf_decision
@@ -60,14 +48,16 @@ template <std::size_t D>
 void Leaf_decision<D>::decide(const Leaf_batch<D>& leaves, Block_list<D>& harvest)
 {
   if (harvest.plotted() > plan_.cell_budget) throw_over_budget(plan_.cell_budget);
+  const Octet norm = load(leaves.norm);
   const Thresholds thresholds =
-      leaf_thresholds(plan_, leaves.cut.size, leaves.coefficients, load(leaves.norm), load(leaves.remainder));
+      leaf_thresholds(plan_, leaves.exact, leaves.cut.size, leaves.coefficients, norm, load(leaves.remainder));
+  const Arithmetic at_corners([&]() HWY_ATTR { return at_most(norm, set(leaves.exact.corner())); });
   std::array<Leaf_masks<D>, batch> masks;
-  const Leaf_form<D> form(leaves.cut, leaves.coefficients, workspace_.get());
+  const Leaf_form<D> form(leaves.cut, leaves.coefficients, workspace_.get(), at_corners);
   Leaf_corners<D>(plan_, form, thresholds).decide(leaves.lanes, masks.data());
-  Leaf_probe<D> probe(plan_, leaves.cut, leaves.coefficients, thresholds, masks.data(), workspace_.get());
+  Leaf_probe<D> probe(plan_, leaves, thresholds, masks.data(), workspace_.get());
   // Where rounding errors hide everything, no probe helps.
-  const unsigned clear = at_most(load(thresholds.sign) * set(64), load(leaves.norm));
+  const unsigned clear = at_most(load(thresholds.sign) * set(64), norm);
   for (unsigned rest = leaves.lanes; rest != 0; rest &= rest - 1) {
     const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
     if (!whole_leaves_) {

@@ -7,11 +7,25 @@
 #define CORRAL_SRC_FAST_LEAF_FORM_INL_H
 #endif
 
+#include "Exact_limits.h"
 #include "Monomial_shape.h"
-#include "octet-inl.h"
+#include "arithmetic-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace corral::fast::HWY_NAMESPACE {
+
+/// Eight leaf forms, one lane each.
+template <std::size_t D>
+struct Leaf_batch
+{
+  const typename Monomial_shape<D>::Class& cut;
+  const double* coefficients;    ///< an octet each
+  const double* remainder;       ///< an octet
+  const double* norm;            ///< an octet
+  const double (*corner)[batch]; ///< D octets
+  const Exact_limits& exact;     ///< of all leaves
+  unsigned lanes;                ///< those that hold a leaf to decide
+};
 
 /// \brief Eight forms of one class, one a lane, evaluated by Horner's rule along rows of points.
 ///
@@ -29,10 +43,10 @@ public:
     return (shape.size() + shape.degree() + 1) * batch;
   }
 
-  /// \param coefficients  an octet each.
-  Leaf_form(const Cut& cut, const double* coefficients, double* workspace)
+  /// \param coefficients  an octet each. \param with  knows which lanes round nothing.
+  Leaf_form(const Cut& cut, const double* coefficients, double* workspace, const Arithmetic& with)
       : cut_(cut), lines_(cut.lines[D - 2]), c_(coefficients), in_lines_(workspace),
-        powers_(D == 2 ? in_lines_ : in_lines_ + lines_.lines.size() * batch)
+        powers_(D == 2 ? in_lines_ : in_lines_ + lines_.lines.size() * batch), with_(with)
   {}
 
   HWY_INLINE void fix_axis_before_last(const Octet& x) const
@@ -41,7 +55,7 @@ public:
     for (const auto& line : lines_.lines) {
       const std::uint32_t* const index = lines_.index.data() + line.first;
       Octet value = load(c_ + index[line.degree] * batch);
-      for (std::uint32_t e = line.degree; e-- > 0;) value = value * x + load(c_ + index[e] * batch);
+      for (std::uint32_t e = line.degree; e-- > 0;) value = step(value, x, load(c_ + index[e] * batch));
       store(value, to);
       to += batch;
     }
@@ -53,7 +67,7 @@ public:
     for (std::size_t k = 0; k <= degree(); ++k) {
       std::size_t line = cut_.slab[k + 1] - std::size_t{1};
       Octet value = load(in_lines_ + line * batch);
-      while (line-- > cut_.slab[k]) value = value * x + load(in_lines_ + line * batch);
+      while (line-- > cut_.slab[k]) value = step(value, x, load(in_lines_ + line * batch));
       store(value, powers_ + k * batch);
     }
   }
@@ -68,7 +82,7 @@ public:
     for (std::size_t k = 0; k < points; ++k) {
       const Octet x = coordinate(k);
       Octet value = load(powers_ + degree() * batch);
-      for (std::size_t e = degree(); e-- > 0;) value = value * x + load(powers_ + e * batch);
+      for (std::size_t e = degree(); e-- > 0;) value = step(value, x, load(powers_ + e * batch));
       visit(value);
     }
   }
@@ -86,23 +100,30 @@ public:
       const double x = 0.25 * static_cast<double>(k);
       const auto every_other = [&](std::size_t e) HWY_ATTR {
         Octet value = c(e);
-        for (; e >= 2; e -= 2) value = value * set(x * x) + c(e - 2);
+        for (; e >= 2; e -= 2) value = step(value, set(x * x), c(e - 2));
         return value;
       };
       const Octet even = every_other(top - top % 2);
-      const Octet odd = top == 0 ? set(0) : every_other(top - 1 + top % 2) * set(x);
-      visit(4 + k, even + odd);
-      visit(4 - k, even - odd);
+      const Octet odd = top == 0 ? set(0) : with_.product(every_other(top - 1 + top % 2), set(x));
+      visit(4 + k, with_.sum(even, odd));
+      visit(4 - k, with_.difference(even, odd));
     }
     visit(4, c(0));
   }
 
 private:
+  /// One step of Horner's rule.
+  [[nodiscard]] HWY_INLINE Octet step(const Octet& value, const Octet& x, const Octet& next) const
+  {
+    return with_.sum(with_.product(value, x), next);
+  }
+
   const Cut& cut_;
   const typename Monomial_shape<D>::Lines& lines_;
   const double* c_;
   double* in_lines_; // values of the lines of axis D - 2
   double* powers_;   // coefficients of the powers of the last coordinate
+  Arithmetic with_;
 };
 
 } // namespace corral::fast::HWY_NAMESPACE

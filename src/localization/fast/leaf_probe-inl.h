@@ -20,15 +20,11 @@ template <std::size_t D>
 class Leaf_probe
 {
 public:
-  using Cut = typename Monomial_shape<D>::Class;
-
-  /// \param coefficients  of the batch, an octet each.
-  /// \param masks         one of each leaf; receives what is found.
-  /// \param workspace     `workspace_size` doubles.
-  Leaf_probe(const Plan<D>& plan, const Cut& cut, const double* coefficients, const Thresholds& thresholds,
-             Leaf_masks<D>* masks, double* workspace)
-      : plan_(plan), batch_(coefficients), size_(cut.size), t_(thresholds), masks_(masks), c_(workspace),
-        form_(cut, c_, c_ + cut.size * batch)
+  /// \param masks      one of each leaf; receives what is found.
+  /// \param workspace  `workspace_size` doubles.
+  Leaf_probe(const Plan<D>& plan, const Leaf_batch<D>& leaves, const Thresholds& thresholds, Leaf_masks<D>* masks,
+             double* workspace)
+      : plan_(plan), leaves_(leaves), t_(thresholds), masks_(masks), c_(workspace)
   {}
 
   [[nodiscard]] static std::size_t workspace_size(const Monomial_shape<D>& shape)
@@ -63,19 +59,18 @@ private:
 
   [[nodiscard]] HWY_INLINE Octet coordinate(std::size_t axis, std::size_t k, unsigned pieces) const
   {
-    return load(centre_[axis]) + set((2.0 * static_cast<double>(k) / pieces - 1) / plan_.leaf_cells[axis]);
+    const Arithmetic exact([] { return all_lanes; });
+    return exact.sum(load(centre_[axis]), set((2.0 * static_cast<double>(k) / pieces - 1) / plan_.leaf_cells[axis]));
   }
   [[nodiscard]] Octet of_leaf(const double* values) const;
   void gather();
   [[nodiscard]] unsigned look(unsigned lanes, unsigned pieces, unsigned& hit) const;
 
   const Plan<D>& plan_;
-  const double* batch_;
-  std::size_t size_; // coefficients of a leaf
+  const Leaf_batch<D>& leaves_;
   const Thresholds& t_;
   Leaf_masks<D>* masks_;
   double* c_; // of the leaf of each cell
-  Leaf_form<D> form_;
   std::size_t count_ = 0;
   std::array<Place, batch> where_{};
   alignas(64) std::int64_t leaf_[batch] = {};
@@ -99,17 +94,19 @@ Octet Leaf_probe<D>::of_leaf(const double* values) const
 template <std::size_t D>
 void Leaf_probe<D>::gather()
 {
-  for (std::size_t i = 0; i < size_; ++i) store(of_leaf(batch_ + i * batch), c_ + i * batch);
+  for (std::size_t i = 0; i < leaves_.cut.size; ++i) store(of_leaf(leaves_.coefficients + i * batch), c_ + i * batch);
 }
 
 /// Evaluates f at `pieces + 1` points a side of the cells; returns the lanes proved empty, and those hit.
 template <std::size_t D>
 unsigned Leaf_probe<D>::look(unsigned lanes, unsigned pieces, unsigned& hit) const
 {
+  const Arithmetic with([&]() HWY_ATTR { return at_most(of_leaf(leaves_.norm), set(leaves_.exact.probe())); });
+  const Leaf_form<D> form(leaves_.cut, c_, c_ + leaves_.cut.size * batch, with);
   Octet low = set(std::numeric_limits<double>::infinity());
   Octet high = set(-std::numeric_limits<double>::infinity());
   const auto visit_row = [&]() HWY_ATTR {
-    form_.along_row(
+    form.along_row(
         pieces + std::size_t{1}, [&](std::size_t k) HWY_ATTR { return coordinate(D - 1, k, pieces); },
         [&](const Octet& value) HWY_ATTR {
           low = min(low, value);
@@ -117,9 +114,9 @@ unsigned Leaf_probe<D>::look(unsigned lanes, unsigned pieces, unsigned& hit) con
         });
   };
   for (std::size_t j = 0; j <= pieces; ++j) {
-    form_.fix_axis_before_last(coordinate(D - 2, j, pieces));
+    form.fix_axis_before_last(coordinate(D - 2, j, pieces));
     for (std::size_t i = 0; i <= (D == 3 ? pieces : 0); ++i) {
-      if constexpr (D == 3) form_.fix_first_axis(coordinate(0, i, pieces));
+      if constexpr (D == 3) form.fix_first_axis(coordinate(0, i, pieces));
       visit_row();
     }
   }

@@ -7,6 +7,7 @@
 #define CORRAL_SRC_FAST_LEAF_THRESHOLDS_INL_H
 #endif
 
+#include "Exact_limits.h"
 #include "Fast_plan.h"
 #include "octet-inl.h"
 
@@ -30,13 +31,13 @@ struct Thresholds
 /// Along an axis on which f is monotone the extremes lie at corners; along another, f bends away from its chord by at
 /// most the second derivative times an eighth of the squared cell width.
 template <std::size_t D>
-Thresholds leaf_thresholds(const Plan<D>& plan, std::size_t size, const double* c, const Octet& norm,
-                           const Octet& remainder)
+Thresholds leaf_thresholds(const Plan<D>& plan, const Exact_limits& exact, std::size_t size, const double* c,
+                           const Octet& norm, const Octet& remainder)
 {
   const Rounding& r = plan.rounding;
   const auto term = [&](std::size_t i) HWY_ATTR { return i < size ? load(c + i * batch) : set(0); };
   const Octet rounded = (norm * set(r.evaluate) + remainder + set(r.underflow)) * set(r.step);
-  const Octet sign = if_at_most(norm, set(plan.exact_corner), remainder * set(r.step), rounded);
+  const Octet sign = if_at_most(norm, set(exact.corner()), remainder * set(r.step), rounded);
   Octet convex = set(0);
   Octet concave = set(0);
   for (std::size_t axis = 0; axis < D; ++axis) {
@@ -65,7 +66,7 @@ Thresholds leaf_thresholds(const Plan<D>& plan, std::size_t size, const double* 
   store(sign, result.sign);
   store(positive, result.positive);
   store(negative, result.negative);
-  store(if_at_most(norm, set(plan.exact_probe), sign, rounded), result.probe);
+  store(if_at_most(norm, set(exact.probe()), sign, rounded), result.probe);
   result.bent = below(least, max(positive, negative));
   return result;
 }

@@ -14,12 +14,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace corral::fast::HWY_NAMESPACE {
 
-/// \brief Nodes of one level and class, one lane each; row 0 holds remainders, row 1 norms (upper bounds of the sum of
-/// absolute coefficients), the next D corners, the others coefficients.
+/// \brief Nodes of one level and class, one lane each, in rows as `Row` tells. A norm is an upper bound of the sum of
+/// absolute coefficients.
 template <std::size_t D>
 struct Pool
 {
-  static constexpr std::size_t header = 2 + D;
+  enum Row : std::size_t { remainder, norm, corner, coefficients = corner + D };
   static constexpr std::size_t stride = batch * ((std::size_t{1} << D) + 2);
   hwy::AlignedFreeUniquePtr<double[]> rows;
   std::size_t count = 0;
@@ -27,7 +27,7 @@ struct Pool
   [[nodiscard]] double* row(std::size_t r) const { return rows.get() + r * stride; }
   void prepare(std::size_t coefficients)
   {
-    if (!rows) rows = hwy::AllocateAligned<double>((header + coefficients) * stride);
+    if (!rows) rows = hwy::AllocateAligned<double>((Row::coefficients + coefficients) * stride);
   }
 };
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "Root_form.h"
+#include "Root_seed.h"
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace corral::fast {
 
@@ -73,7 +74,9 @@ void shift(std::vector<Integer>& c, const Monomial_shape<D>& shape, std::size_t 
       }
 }
 
-Root_form rounded(const std::vector<Integer>& c)
+/// The coefficients of the root, divided by a power of two above the largest and rounded.
+template <std::size_t D>
+Seed<D> rounded(const std::vector<Integer>& c, const Rounding& rounding)
 {
   std::size_t bits = 0;
   std::size_t trailing_zeros = ~std::size_t{0};
@@ -82,33 +85,35 @@ Root_form rounded(const std::vector<Integer>& c)
       bits = std::max(bits, mpz_sizeinbase(value.get_mpz_t(), 2));
       trailing_zeros = std::min(trailing_zeros, mpz_scan1(value.get_mpz_t(), 0));
     }
-  Root_form form;
-  form.coefficients.reserve(c.size());
+  Seed<D> seed;
+  seed.coefficients.reserve(c.size());
   double error = 0;
+  double norm = 0;
   for (const Integer& value : c) {
     long exponent = 0;
     const double mantissa = mpz_get_d_2exp(&exponent, value.get_mpz_t()); // truncated, in [1/2, 1)
-    const double rounded = std::ldexp(mantissa, static_cast<int>(std::max(exponent - static_cast<long>(bits), -5000L)));
+    const double nearby = std::ldexp(mantissa, static_cast<int>(std::max(exponent - static_cast<long>(bits), -5000L)));
     const bool exact = value == 0 || mpz_sizeinbase(value.get_mpz_t(), 2) - mpz_scan1(value.get_mpz_t(), 0) <= 53;
-    if (!exact) error += std::abs(rounded) * 0x1p-51;
-    if (value != 0 && std::abs(rounded) < 0x1p-960) error += 0x1p-1020; // ldexp may have rounded
-    form.coefficients.push_back(rounded);
+    if (!exact) error += std::abs(nearby) * 0x1p-51;
+    if (value != 0 && std::abs(nearby) < 0x1p-960) error += 0x1p-1020; // ldexp may have rounded
+    norm += std::abs(nearby);
+    seed.coefficients.push_back(nearby);
   }
-  form.remainder = error * (1 + 0x1p-30);
-  if (error == 0)
-    form.quantum = std::ldexp(1.0, -static_cast<int>(bits - trailing_zeros)); // no underflow: bits <= 1013
-  return form;
+  seed.remainder = error * (1 + 0x1p-30);
+  seed.norm = norm * rounding.sum;
+  if (error == 0) seed.quantum = std::ldexp(1.0, -static_cast<int>(bits - trailing_zeros)); // 2^-1013 or more
+  return seed;
 }
 
 } // namespace
 
 template <std::size_t D>
-Root_form root_form(const Polynomial<Rational, D>& f, const Monomial_shape<D>& shape, const Grid<D>& grid,
-                    const std::array<unsigned, D>& cells_log2)
+Seed<D> root_seed(const Plan<D>& plan, const Polynomial<Rational, D>& f, const Grid<D>& grid)
 {
+  const Monomial_shape<D>& shape = plan.shape;
   std::vector<Integer> c = integer_coefficients(f, shape);
   for (std::size_t axis = 0; axis < D; ++axis) {
-    const Integer_map map = integer_map(grid, axis, cells_log2[axis]);
+    const Integer_map map = integer_map(grid, axis, plan.cells_log2[axis]);
     const unsigned degree = f.degree(axis);
     if (map.denominator != 1) { // f times denominator^degree, so that everything stays an integer
       const auto factor = powers(map.denominator, degree);
@@ -122,12 +127,10 @@ Root_form root_form(const Polynomial<Rational, D>& f, const Monomial_shape<D>& s
         if (c[k] != 0) c[k] *= factor[shape.exponents()[k][axis]];
     }
   }
-  return rounded(c);
+  return rounded<D>(c, plan.rounding);
 }
 
-template Root_form root_form<2>(const Polynomial<Rational, 2>&, const Monomial_shape<2>&, const Grid<2>&,
-                                const std::array<unsigned, 2>&);
-template Root_form root_form<3>(const Polynomial<Rational, 3>&, const Monomial_shape<3>&, const Grid<3>&,
-                                const std::array<unsigned, 3>&);
+template Seed<2> root_seed<2>(const Plan<2>&, const Polynomial<Rational, 2>&, const Grid<2>&);
+template Seed<3> root_seed<3>(const Plan<3>&, const Polynomial<Rational, 3>&, const Grid<3>&);
 
 } // namespace corral::fast
