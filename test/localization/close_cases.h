@@ -5,7 +5,7 @@
 #include "random_cases.h"
 
 #include <corral/polynomial/arithmetic.h>
-#include <corral/verification/Trouble_source.h>
+#include <corral/audit/Trouble_source.h>
 
 #include <array>
 #include <cmath>
