@@ -9,6 +9,7 @@ target_sources(corral PRIVATE
   algebra/Plane_system.cpp
   algebra/Prime_field.cpp
   algebra/Real_root.cpp
+  algebra/cofactors.cpp
   algebra/exact_range.cpp
   algebra/integer_polynomial_gcd.cpp
   algebra/integer_polynomial_values.cpp
