@@ -67,8 +67,8 @@ struct Stopped : Refusal
   using Refusal::Refusal;
 };
 
-/// \brief A file that has been read: it has the form of section 1, and its polynomials are what section 2 asks for. What
-/// it claims is not proved before `check` returns.
+/// \brief A file that has been read: it has the form of section 1, and its polynomials are what section 2 asks for.
+/// What it claims is not proved before `check` returns.
 class Certificate
 {
 public:

@@ -4,8 +4,7 @@
 #include "../number/Prime_field.h"
 #include "../polynomial/to_exponent.h"
 #include "../polynomial/verification.h"
-
-#include <flint/nmod_poly.h>
+#include "Interpolation.h"
 
 #include <algorithm>
 #include <array>
@@ -135,41 +134,14 @@ private:
   std::vector<Modular_polynomial> g_;
 };
 
-/// The polynomials with given values at some points modulo one prime: FLINT's subproduct tree, made once for all.
-class Interpolation
+/// The residues of field elements.
+std::vector<std::uint64_t> residues(const Prime_field& field, const std::vector<Element>& values)
 {
-public:
-  Interpolation(const Prime_field& field, const std::vector<std::uint64_t>& points)
-      : field_(field), length_(static_cast<slong>(points.size())), tree_(_nmod_poly_tree_alloc(length_)),
-        weights_(points.size())
-  {
-    nmod_init(&modulus_, field.prime());
-    _nmod_poly_tree_build(tree_, points.data(), length_, modulus_);
-    _nmod_poly_interpolation_weights(weights_.data(), tree_, length_, modulus_);
-  }
-  Interpolation(const Interpolation&) = delete;
-  Interpolation& operator=(const Interpolation&) = delete;
-  ~Interpolation() { _nmod_poly_tree_free(tree_, length_); }
-
-  /// The residues of the coefficients. \pre One value for each point.
-  [[nodiscard]] std::vector<std::uint64_t> operator()(const std::vector<Element>& values) const
-  {
-    std::vector<mp_limb_t> residues;
-    residues.reserve(values.size());
-    for (const Element value : values) residues.push_back(field_.residue(value));
-    std::vector<mp_limb_t> result(values.size());
-    _nmod_poly_interpolate_nmod_vec_fast_precomp(result.data(), residues.data(), tree_, weights_.data(), length_,
-                                                 modulus_);
-    return {result.begin(), result.end()};
-  }
-
-private:
-  const Prime_field& field_;
-  slong length_;
-  nmod_t modulus_{};
-  mp_ptr* tree_;
-  std::vector<mp_limb_t> weights_;
-};
+  std::vector<std::uint64_t> result;
+  result.reserve(values.size());
+  for (const Element value : values) result.push_back(field.residue(value));
+  return result;
+}
 
 /// The values of an elimination at many points modulo one prime.
 struct Samples
@@ -220,11 +192,11 @@ Elimination eliminate(const Bivariate& f, const Bivariate& g, const Checkpoint& 
       with_linear = false;
       samples = sample(field, pair, degree_bound + 1, false, checkpoint);
     }
-    const Interpolation interpolation(field, samples.points);
-    remainders[0].add(field.prime(), interpolation(samples.resultant));
+    const Interpolation interpolation(field.prime(), samples.points);
+    remainders[0].add(field.prime(), interpolation(residues(field, samples.resultant)));
     if (!with_linear) continue;
-    remainders[1].add(field.prime(), interpolation(samples.s1));
-    remainders[2].add(field.prime(), interpolation(samples.s0));
+    remainders[1].add(field.prime(), interpolation(residues(field, samples.s1)));
+    remainders[2].add(field.prime(), interpolation(residues(field, samples.s0)));
   }
   Elimination result{remainders[0].symmetric(), {}, {}};
   trim(result.resultant);

@@ -8,6 +8,7 @@ target_sources(corral PRIVATE
   algebra/Integer_polynomial.cpp
   algebra/Plane_system.cpp
   algebra/Real_root.cpp
+  algebra/cofactors.cpp
   algebra/definite.cpp
   algebra/exact_range.cpp
   algebra/integer_polynomial_gcd.cpp

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "../algebra/Bernstein_form.h"
+#include "Cell_search.h"
+#include "Critical_prover.h"
 #include "validate.h"
 
 #include <corral/certificate/certificate.h>
 #include <corral/decision/ideal_system.h>
+#include <corral/errors.h>
 #include <corral/localization/Subdivision.h>
+#include <corral/polynomial/arithmetic.h>
 #include <corral/polynomial/integer_form.h>
 #include <corral/polynomial/square_free.h>
-#include <corral/polynomial/substitution.h>
 
 #include <algorithm>
 #include <functional>
@@ -18,7 +20,11 @@
 namespace corral {
 namespace {
 
-using exact::Bernstein_form;
+using certificate::Box_forms;
+using certificate::Cell_search;
+using certificate::Critical_prover;
+
+constexpr double digits_of_a_word = 19.3;
 
 template <std::size_t D>
 void require_limits(const Polynomial<Rational, D>& f, const char* what)
@@ -34,10 +40,28 @@ void require_limits(const Polynomial<Rational, D>& f, const char* what)
     throw Budget_exceeded("certificate: " + std::string(what)
                           + " has too high a degree; expected (degree + 1) of all variables multiplied to be at most "
                             "65536");
+  if (certificate::longest(f) * digits_of_a_word > 100000)
+    throw Budget_exceeded("certificate: " + std::string(what)
+                          + " has a coefficient of more than 90,000 digits; expected a shorter one");
+}
+
+/// f with its square-free part, or with itself where a checker would take too long to compare the two.
+template <std::size_t D>
+Certified_polynomial<D> certified_polynomial(const Polynomial<Rational, D>& f, double& work)
+{
+  Certified_polynomial<D> entry{f, square_free_part(f)};
+  auto primitive = integer_primitive(f);
+  if (primitive == entry.square_free) return entry;
+  entry.power = certificate::highest_multiplicity(f);
+  const auto g = transform<Rational>(entry.square_free, [](const Integer& c) { return Rational(c); });
+  const double needed = certificate::square_free_work(f, g, entry.power);
+  if (needed > certificate::max_work / 4) return {f, std::move(primitive)};
+  work += needed;
+  return entry;
 }
 
 template <std::size_t D>
-Certificate<D> start(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid)
+Certificate<D> start(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid, double& work)
 {
   constexpr double max_cells = 4611686018427387904.0; // 2^62
   if (grid.cell_count() >= max_cells)
@@ -45,14 +69,16 @@ Certificate<D> start(const std::vector<Polynomial<Rational, D>>& system, const G
   if (system.empty() || system.size() > (D == 1 ? 1U : 2U))
     throw Invalid_input("certificate: given " + detail::quantity(system.size(), "polynomial") + " in "
                         + detail::quantity(D, "dimension") + "; expected 1, or 2 in two or three dimensions");
+  for (const auto& side : grid.box())
+    for (const Rational& end : {side.lower(), side.upper()})
+      if (certificate::length(end) * digits_of_a_word > 100000)
+        throw Budget_exceeded("certificate: the box has a corner of more than 90,000 digits; expected a shorter one");
   Certificate<D> result{{}, grid};
   for (const auto& f : system) {
     if (f.is_zero())
       throw Invalid_input("certificate: a polynomial is zero, so that every point is a zero; expected one that is not");
     require_limits(f, "the polynomial");
-    Certified_polynomial<D> entry{f, square_free_part(f)};
-    if (integer_primitive(f) != entry.square_free) entry.power = certificate::highest_multiplicity(f);
-    result.polynomials.push_back(std::move(entry));
+    result.polynomials.push_back(certified_polynomial(f, work));
   }
   return result;
 }
@@ -77,14 +103,19 @@ class Certifier
 {
 public:
   using Node = Subdivision_node<D>;
-  using Forms = std::vector<Bernstein_form<D>>; // one for each polynomial
+  using Forms = Box_forms<D>;
 
   Certifier(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid, const Certify_options& options)
-      : options_(options), cell_count_(grid.cell_count()), tree_(grid.resolution()), result_(start(system, grid)),
-        decide_(make_decider<D>(system, grid, [this] { require_going(); }))
+      : options_(options), cell_count_(grid.cell_count()), tree_(grid.resolution()),
+        result_(start(system, grid, work_)), checkpoint_([this] { require_going(); }),
+        decide_(make_decider<D>(system, grid, checkpoint_))
   {
-    for (const auto& f : result_.polynomials)
+    std::vector<Polynomial<Integer, D>> given;
+    for (const auto& f : result_.polynomials) {
+      given.push_back(f.square_free);
       rational_.push_back(transform<Rational>(f.square_free, [](const Integer& c) { return Rational(c); }));
+    }
+    if constexpr (D > 1) prover_.emplace(std::move(given), checkpoint_);
   }
   Certifier(const Certifier&) = delete; // the checkpoint points here
   Certifier& operator=(const Certifier&) = delete;
@@ -92,45 +123,22 @@ public:
   Certificate<D> run() &&
   {
     const Node root = tree_.root();
-    std::array<Rational, D> offset;
-    std::array<Rational, D> scale;
+    Rational_box<D> box;
     for (std::size_t axis = 0; axis < D; ++axis) {
-      offset[axis] = result_.grid.box()[axis].lower();
-      scale[axis] = result_.grid.step(axis) * tree_.span(root.level, axis);
+      const Rational& lower = result_.grid.box()[axis].lower();
+      box[axis] = Rational_interval(lower, lower + result_.grid.step(axis) * tree_.span(root.level, axis));
     }
     Forms forms;
-    for (const auto& f : rational_) {
-      auto& form =
-          forms.emplace_back(exact::dense_power_form(integer_primitive(affine_substitution(f, offset, scale))));
-      exact::to_bernstein(form);
-      exact::drop_twos(form);
+    for (const auto& f : result_.polynomials) {
+      forms.forms.push_back(certificate::counted_form(f.square_free, box, work_));
+      forms.held += forms.forms.back().held();
     }
     visit(std::move(forms), root);
+    if constexpr (D > 1) std::move(*prover_).write_to(result_);
     return std::move(result_);
   }
 
 private:
-  /// What an attempt to prove a cell empty came to.
-  enum class Attempt { proved, zero, gave_up };
-
-  /// A box inside a cell: [index, index + 1] / 2^depth along each axis of the cell.
-  struct Piece
-  {
-    Forms forms;
-    std::array<Integer, D> index{};
-    unsigned depth = 0;
-  };
-
-  /// A search below one cell.
-  struct Search
-  {
-    std::size_t boxes_left;
-    int sign; ///< that of one polynomial at all corners of the cell; 0 for a system
-    std::string tree{};
-    Rational_point<D> zero{}; ///< in the cell's own coordinates: a common zero, or
-    bool changes = false;     ///< a point where the one polynomial has another sign than at the first corner
-  };
-
   /// Whether to go on; once stopped, for good.
   bool goes_on()
   {
@@ -145,34 +153,37 @@ private:
     if (!goes_on()) throw Cancelled("certificate: stopped by the caller");
   }
 
+  /// Whether a checker accepts a file to which so much is added, and the rest as unknown.
+  [[nodiscard]] bool has_room(double more_work, double more_bytes, double more_values)
+  {
+    constexpr double max_bytes = 134217728; // half of what the format allows
+    constexpr double max_values = 4194304;
+    if (work_ + more_work > certificate::max_work
+        || static_cast<double>(result_.tree.size()) + bytes_ + more_bytes > max_bytes
+        || values_ + more_values > max_values)
+      return false;
+    work_ += more_work;
+    bytes_ += more_bytes;
+    values_ += more_values;
+    return true;
+  }
+
   void visit(Forms forms, const Node& node)
   {
     settled_ = result_.empty + result_.hit + result_.unknown;
     if (!goes_on()) return leave_unknown("stopped before it was decided", node);
-    if (excludes_zero(forms)) {
+    if (forms.held > certificate::max_branch_words || !has_room(forms.size(), 0, 0))
+      return leave_unknown(too_large, node);
+    if (forms.excludes_zero()) {
       result_.tree += 'e';
       result_.empty += cells(node);
     } else if (node.level == 0)
       visit_cell(forms, node);
     else {
       result_.tree += 's';
+      forms.enter_children([&](std::size_t axis) { return tree_.halves(node.level, axis); });
       visit_children(std::move(forms), {node.level - 1, node.corner}, D);
     }
-  }
-
-  /// Whether the coefficients of one polynomial keep away from zero.
-  static bool excludes_zero(const Forms& forms)
-  {
-    return std::any_of(forms.begin(), forms.end(),
-                       [](const Bernstein_form<D>& form) { return exact::sign_pattern(form).closed() != 0; });
-  }
-
-  /// The lower halves; the upper ones are left in `forms`.
-  static Forms halve(Forms& forms, std::size_t axis)
-  {
-    Forms lower;
-    for (auto& form : forms) lower.push_back(exact::halve(form, axis));
-    return lower;
   }
 
   /// Visits the children in the order of their numbers: the last axis is halved first, so that it varies slowest.
@@ -181,39 +192,50 @@ private:
     if (axes == 0) return visit(std::move(forms), child);
     const std::size_t axis = axes - 1;
     if (!tree_.halves(child.level + 1, axis)) return visit_children(std::move(forms), child, axis);
-    visit_children(halve(forms, axis), child, axis);
+    visit_children(forms.halve(axis, work_), child, axis);
     child.corner[axis] += tree_.span(child.level, axis);
     if (child.corner[axis] < result_.grid.resolution()[axis]) visit_children(std::move(forms), child, axis);
   }
 
+  /// What costs too much leaves the cell unknown, and the others as they are.
   void visit_cell(const Forms& forms, const Node& node)
   {
-    if (forms.size() == 1 && exact::sign_pattern(forms.front()).crosses) {
+    if (forms.forms.size() == 1 && exact::sign_pattern(forms.forms.front().form).crosses) {
       result_.tree += 'h';
       ++result_.hit;
       return;
     }
-    constexpr std::size_t first_boxes = 64; // a cut or two prove most empty cells
     try {
-      if (attempt(forms, first_boxes, node)) return;
-      const auto decision = decide_(node.corner);
-      if (decision.verdict == Verdict::unknown) return leave_unknown("not decided: " + decision.reason, node);
-      if (decision.verdict == Verdict::hit) return add_witness(decision.witness, node);
-      if (!attempt(forms, options_.max_boxes, node))
-        leave_unknown("empty, but a proof would take more boxes than allowed", node);
+      decide_cell(forms, node);
     } catch (const Cancelled&) {
       leave_unknown("stopped before it was decided", node);
+    } catch (const Budget_exceeded& error) {
+      leave_unknown("not decided: " + std::string(error.what()), node);
     }
+  }
+
+  void decide_cell(const Forms& forms, const Node& node)
+  {
+    constexpr std::size_t first_boxes = 64; // a cut or two prove most empty cells
+    if (attempt(forms, first_boxes, node)) return;
+    const auto decision = decide_(node.corner);
+    if (decision.verdict == Verdict::hit) return add_witness(decision.witness, node);
+    if (attempt_critical(forms, node) || attempt(forms, options_.max_boxes, node)) return;
+    leave_unknown(decision.verdict == Verdict::unknown ? "not decided: " + decision.reason
+                                                       : "empty, but a proof would take more boxes than allowed",
+                  node);
   }
 
   /// Tries to prove the cell empty by cutting it; whether something was proved and written.
   bool attempt(const Forms& forms, std::size_t boxes, const Node& node)
   {
-    Search search{boxes, forms.size() == 1 ? sgn(forms.front().corner(0)) : 0};
-    const Attempt outcome = search_piece({forms, {}, 0}, search);
-    if (outcome == Attempt::gave_up) return false;
-    if (outcome == Attempt::proved) {
-      result_.tree += search.tree;
+    using Outcome = typename Cell_search<D>::Outcome;
+    Cell_search<D> search(boxes, forms.forms.size() == 1 ? sgn(forms.forms.front().form.corner(0)) : 0, checkpoint_);
+    const Outcome outcome = search.run(forms);
+    if (outcome == Outcome::gave_up) return false;
+    if (outcome == Outcome::proved) {
+      if (!has_room(search.work(), 0, 0)) return false;
+      result_.tree += search.tree();
       ++result_.empty;
       return true;
     }
@@ -222,66 +244,51 @@ private:
     Rational_point<D> other;
     for (std::size_t axis = 0; axis < D; ++axis) {
       corner[axis] = box[axis].lower();
-      other[axis] = corner[axis] + result_.grid.step(axis) * search.zero[axis];
+      other[axis] = corner[axis] + result_.grid.step(axis) * search.zero()[axis];
     }
-    add_witness(Sign_change<D>{search.changes ? corner : other, other}, node);
+    add_witness(Sign_change<D>{search.changes() ? corner : other, other}, node);
     return true;
   }
 
-  Attempt search_piece(Piece piece, Search& search)
+  /// Tries to prove by critical multipliers that one of the polynomials has no zero in the cell.
+  bool attempt_critical(const Forms& forms, const Node& node)
   {
-    constexpr unsigned max_depth = 400;
-    if (excludes_zero(piece.forms)) {
-      search.tree += 'e';
-      return Attempt::proved;
-    }
-    for (unsigned corner = 0; corner < 1U << D; ++corner)
-      if (const auto changes = shows_zero(piece.forms, corner, search.sign)) {
-        for (std::size_t axis = 0; axis < D; ++axis) {
-          search.zero[axis] = Rational(piece.index[axis] + (corner >> axis & 1), Integer(Integer(1) << piece.depth));
-          search.zero[axis].canonicalize();
-        }
-        search.changes = *changes;
-        return Attempt::zero;
+    if constexpr (D > 1) {
+      const std::size_t boxes = std::min(options_.max_boxes, std::size_t{1} << 14);
+      for (std::size_t j = 0; j < forms.forms.size(); ++j) {
+        auto part =
+            prover_->prove({forms.forms[j], result_.grid.cell_box(node.corner), j, forms.held, forms.depth}, boxes);
+        if (!part) continue;
+        const auto size = prover_->size_of(*part);
+        if (!has_room(size.work, size.bytes, size.values)) continue;
+        result_.tree += part->tree;
+        ++result_.empty;
+        prover_->add(std::move(*part));
+        return true;
       }
-    if (search.boxes_left < (1U << D) || piece.depth == max_depth) return Attempt::gave_up;
-    search.boxes_left -= 1U << D;
-    search.tree += 's';
-    ++piece.depth;
-    for (Integer& i : piece.index) i *= 2;
-    return search_children(std::move(piece), search, D);
-  }
-
-  Attempt search_children(Piece piece, Search& search, std::size_t axes)
-  {
-    if (axes == 0) {
-      require_going();
-      return search_piece(std::move(piece), search);
     }
-    const std::size_t axis = axes - 1;
-    Piece lower{halve(piece.forms, axis), piece.index, piece.depth};
-    ++piece.index[axis];
-    const Attempt first = search_children(std::move(lower), search, axis);
-    return first == Attempt::proved ? search_children(std::move(piece), search, axis) : first;
-  }
-
-  /// Whether a corner shows a zero: by a change of sign (then `true`), or since it is one itself (`false`).
-  static std::optional<bool> shows_zero(const Forms& forms, unsigned corner, int sign)
-  {
-    const auto vanishes = [&](const Bernstein_form<D>& form) { return form.corner(corner) == 0; };
-    if (std::all_of(forms.begin(), forms.end(), vanishes)) return false;
-    if (sign != 0 && sgn(forms.front().corner(corner)) != sign) return true;
-    return std::nullopt;
+    return false;
   }
 
   void add_witness(const Witness<D>& witness, const Node& node)
   {
     const auto cell = result_.grid.cell_box(node.corner);
-    const auto proved = [&](const Polynomial<Rational, D>& g) { return certificate::is_acceptable(witness, g, cell); };
+    double work = 0;
+    const auto proved = [&](const Polynomial<Rational, D>& g) {
+      return certificate::is_acceptable(witness, g, cell, work);
+    };
     const auto* change = std::get_if<Sign_change<D>>(&witness);
     const bool is_of_one_only = change != nullptr && change->first != change->second;
     if ((is_of_one_only && rational_.size() > 1) || !std::all_of(rational_.begin(), rational_.end(), proved))
       return leave_unknown("hit, but the decision left no witness that the format can hold", node);
+    double values = 8 + 4 * D;
+    double word_count = values;
+    if (const auto* zero = std::get_if<Triangular_zero<D>>(&witness))
+      for (const auto& t : zero->chain) {
+        values += (D + 2) * static_cast<double>(t.terms().size());
+        word_count += static_cast<double>(t.terms().size()) * certificate::longest(t);
+      }
+    if (!has_room(work, digits_of_a_word * word_count + 8 * values, values)) return leave_unknown(too_large, node);
     result_.tree += 'w';
     ++result_.hit;
     result_.witnesses.push_back({node.corner, witness});
@@ -305,14 +312,21 @@ private:
     return product;
   }
 
+  static constexpr const char* too_large = "a proof would be beyond the limits of a checker";
+
   const Certify_options& options_;
   double cell_count_;
   std::uint64_t settled_ = 0; ///< cells
   bool stopped_ = false;
+  double work_ = 0;   ///< that a checker counts
+  double bytes_ = 0;  ///< of the file, beside the tree
+  double values_ = 0; ///< of the file
   Subdivision_tree<D> tree_;
   Certificate<D> result_;
+  Checkpoint checkpoint_;
   std::function<Cell_decision<D>(const Cell<D>&)> decide_;
   std::vector<Polynomial<Rational, D>> rational_{}; ///< the square-free parts
+  std::optional<Critical_prover<(D > 1 ? D : 2)>> prover_{};
 };
 
 } // namespace

@@ -79,6 +79,25 @@ Json square_free(const Certificate<D>& certificate)
   return all_null ? Json(nullptr) : result;
 }
 
+template <std::size_t D>
+Json terms_or_null(const Polynomial<Integer, D>& f)
+{
+  return f.is_zero() ? Json(nullptr) : terms(f);
+}
+
+template <std::size_t D>
+Json write(const Multipliers<D>& multipliers)
+{
+  Json b = Json::array();
+  for (const auto& factor : multipliers.b) b.push_back(terms_or_null(factor));
+  Json factors = Json::array();
+  for (const auto& [factor, exponent] : multipliers.factors) factors.push_back(Json::array({terms(factor), exponent}));
+  return {{"of", multipliers.of},
+          {"a", terms_or_null(multipliers.a)},
+          {"b", std::move(b)},
+          {"factors", std::move(factors)}};
+}
+
 } // namespace
 
 template <std::size_t D>
@@ -91,7 +110,7 @@ std::string to_json(const Certificate<D>& certificate, const std::array<std::str
   for (const auto& proved : certificate.witnesses) witnesses.push_back(write(proved, certificate.grid));
   Json root;
   root["format"] = "corral-certificate";
-  root["version"] = 1;
+  root["version"] = 2;
   root["dimension"] = D;
   root["variables"] = variables;
   root["polynomials"] = Json::array();
@@ -102,6 +121,11 @@ std::string to_json(const Certificate<D>& certificate, const std::array<std::str
   root["method"] = "bernstein";
   root["tree"] = certificate.tree;
   root["witnesses"] = std::move(witnesses);
+  root["multipliers"] = Json::array();
+  for (const auto& multipliers : certificate.multipliers) root["multipliers"].push_back(write(multipliers));
+  root["critical"] = Json::array();
+  for (const auto& proof : certificate.critical)
+    root["critical"].push_back(Json::array({proof.multipliers, proof.axis, proof.trees}));
   root["reasons"] = certificate.reasons;
   root["empty"] = certificate.empty;
   root["hit"] = certificate.hit;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "validate.h"
 
-#include "../algebra/Bernstein_form.h"
+#include "Counted_form.h"
 
 #include <corral/algebra/Integer_polynomial.h>
 #include <corral/polynomial/arithmetic.h>
@@ -10,7 +10,9 @@
 #include <corral/polynomial/substitution.h>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
+#include <optional>
 
 namespace corral::certificate {
 namespace {
@@ -25,31 +27,22 @@ bool contains_point(const Rational_box<D>& cell, const Rational_point<D>& point)
 
 /// The strict sign of all Bernstein coefficients on the box, 0 if they have none.
 template <std::size_t D>
-int strict_sign(const Polynomial<Rational, D>& f, const Rational_box<D>& box)
+int strict_sign(const Polynomial<Rational, D>& f, const Rational_box<D>& box, double& work)
 {
-  std::array<Rational, D> offset;
-  std::array<Rational, D> scale;
-  for (std::size_t axis = 0; axis < D; ++axis) {
-    offset[axis] = box[axis].lower();
-    scale[axis] = box[axis].upper() - box[axis].lower();
-  }
-  const auto on_unit_box = affine_substitution(f, offset, scale);
-  if (on_unit_box.is_zero()) return 0;
-  auto form = exact::dense_power_form(integer_primitive(on_unit_box));
-  exact::to_bernstein(form);
+  const auto form = counted_form(integer_primitive(f), box, work).form;
   const int sign = sgn(form.values.front());
   return std::all_of(form.values.begin(), form.values.end(), [&](const Integer& b) { return sgn(b) == sign; }) ? sign
                                                                                                                : 0;
 }
 
 template <std::size_t D>
-bool changes_sign_along(const Polynomial<Rational, D>& f, std::size_t axis, const Rational_box<D>& box)
+bool changes_sign_along(const Polynomial<Rational, D>& f, std::size_t axis, const Rational_box<D>& box, double& work)
 {
   auto lower = box;
   auto upper = box;
   lower[axis] = Rational_interval(box[axis].lower());
   upper[axis] = Rational_interval(box[axis].upper());
-  return strict_sign(f, lower) * strict_sign(f, upper) < 0;
+  return strict_sign(f, lower, work) * strict_sign(f, upper, work) < 0;
 }
 
 /// Whether `f` has no variable of the axes `later` and is monic in that of `axis`.
@@ -67,21 +60,100 @@ bool is_monic(const Polynomial<Rational, D>& f, std::size_t axis, std::span<cons
   });
 }
 
-/// The remainder on division by `divisor`, monic in the variable of `axis`.
+/// A sum that counts what a checker counts for it, and gives up beyond `max_work`.
 template <std::size_t D>
-Polynomial<Rational, D> remainder(Polynomial<Rational, D> f, const Polynomial<Rational, D>& divisor, std::size_t axis)
+class Counted_sum
+{
+public:
+  explicit Counted_sum(double& work) : work_(work) {}
+  Counted_sum(const Polynomial<Rational, D>& start, double& work) : work_(work)
+  {
+    for (const auto& term : start.terms()) terms_.emplace(term.exponents, term.coefficient);
+  }
+
+  [[nodiscard]] std::map<Exponents<D>, Rational>& terms() { return terms_; }
+  [[nodiscard]] Polynomial<Rational, D> polynomial() const
+  {
+    std::vector<typename Polynomial<Rational, D>::Term> terms;
+    for (const auto& [exponents, coefficient] : terms_) terms.push_back({exponents, coefficient});
+    return collect<Rational, D>(std::move(terms));
+  }
+  [[nodiscard]] bool is_hopeless() const { return work_ > max_work || held_ > max_held; }
+
+  void add(const Polynomial<Rational, D>& f, const Rational& factor, const Exponents<D>& shift)
+  {
+    const double factor_length = length(factor);
+    for (const auto& term : f.terms()) {
+      work_ += fraction_cost(factor_length + length(term.coefficient));
+      auto exponents = shift;
+      for (std::size_t axis = 0; axis < D; ++axis)
+        exponents[axis] = static_cast<std::uint16_t>(exponents[axis] + term.exponents[axis]);
+      const auto sum = terms_.try_emplace(exponents).first;
+      sum->second += factor * term.coefficient;
+      const double sum_length = length(sum->second);
+      work_ += fraction_cost(sum_length);
+      longest_ = std::max(longest_, sum_length);
+      if (sum->second == 0) terms_.erase(sum);
+    }
+    held_ = static_cast<double>(terms_.size()) * (longest_ + 20);
+  }
+
+private:
+  static constexpr double max_held = 8388608; ///< words: half of what the format allows
+  double& work_;
+  std::map<Exponents<D>, Rational> terms_;
+  double longest_ = 2;
+  double held_ = 0;
+};
+
+/// Whether f reduces to zero; replaces it by its remainder on division by `divisor`, monic in the variable of `axis`.
+template <std::size_t D>
+[[nodiscard]] bool reduce(Polynomial<Rational, D>& f, const Polynomial<Rational, D>& divisor, std::size_t axis,
+                          double& work)
 {
   const unsigned degree = divisor.degree(axis);
-  for (unsigned current = f.degree(axis); !f.is_zero() && current >= degree; current = f.degree(axis)) {
-    std::vector<typename Polynomial<Rational, D>::Term> quotient;
-    for (auto term : f.terms())
-      if (term.exponents[axis] == current) {
-        term.exponents[axis] = static_cast<std::uint16_t>(current - degree);
-        quotient.push_back(std::move(term));
-      }
-    f = f - Polynomial<Rational, D>(std::move(quotient)) * divisor;
+  const unsigned highest = f.degree(axis);
+  Counted_sum<D> rest(f, work);
+  for (unsigned current = highest; current >= degree; --current) {
+    std::vector<std::pair<Exponents<D>, Rational>> top;
+    for (const auto& term : rest.terms())
+      if (term.first[axis] == current) top.push_back(term);
+    for (auto& [exponents, coefficient] : top) {
+      exponents[axis] = static_cast<std::uint16_t>(current - degree);
+      rest.add(divisor, -coefficient, exponents);
+      if (rest.is_hopeless()) return false;
+    }
   }
-  return f;
+  f = rest.polynomial();
+  return true;
+}
+
+/// The remainder on division in the lexicographic order; nothing if it takes too much.
+template <std::size_t D>
+std::optional<Polynomial<Rational, D>> remainder(const Polynomial<Rational, D>& f,
+                                                 const Polynomial<Rational, D>& divisor, double& work)
+{
+  const auto& lead = divisor.terms().back();
+  Counted_sum<D> rest(f, work);
+  auto end = rest.terms().end();
+  while (end != rest.terms().begin()) {
+    const auto top = std::prev(end);
+    Exponents<D> shift;
+    bool is_multiple = true;
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      is_multiple = is_multiple && top->first[axis] >= lead.exponents[axis];
+      shift[axis] = static_cast<std::uint16_t>(top->first[axis] - lead.exponents[axis]);
+    }
+    if (!is_multiple) {
+      end = top;
+      continue;
+    }
+    const Rational factor = top->second / lead.coefficient;
+    work += fraction_cost(length(factor));
+    rest.add(divisor, -factor, shift);
+    if (rest.is_hopeless()) return std::nullopt;
+  }
+  return rest.polynomial();
 }
 
 template <std::size_t D>
@@ -91,40 +163,74 @@ bool fixes(const Polynomial<Rational, D>& f, std::size_t axis, const Rational& v
 }
 
 template <std::size_t D>
-bool proves(const Sign_change<D>& change, const Polynomial<Rational, D>& g, const Rational_box<D>& cell)
+bool proves(const Sign_change<D>& change, const Polynomial<Rational, D>& g, const Rational_box<D>& cell, double& work)
 {
   if (!contains_point<D>(cell, change.first) || !contains_point<D>(cell, change.second)) return false;
+  for (const auto* point : {&change.first, &change.second}) {
+    double word_count = longest(g);
+    for (std::size_t axis = 0; axis < D; ++axis) word_count += 2 * g.degree(axis) * length((*point)[axis]);
+    work += static_cast<double>(g.terms().size()) * fraction_cost(2 * word_count);
+  }
+  if (work > max_work) return false;
   const int first = sgn(evaluate(g, change.first));
   return change.first == change.second ? first == 0 : first * sgn(evaluate(g, change.second)) < 0;
 }
 
 template <std::size_t D>
-bool proves(const Triangular_zero<D>& zero, Polynomial<Rational, D> g, const Rational_box<D>& cell)
+bool fits(const Polynomial<Rational, D>& t)
 {
   constexpr double max_dense = 65536;
+  constexpr double digits_of_a_word = 19.3;
+  double dense = 1;
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    dense *= t.degree(axis) + 1;
+    if (t.degree(axis) > 1000) return false;
+  }
+  return dense <= max_dense && longest(t) * digits_of_a_word < 100000;
+}
+
+template <std::size_t D>
+bool proves(const Triangular_zero<D>& zero, Polynomial<Rational, D> g, const Rational_box<D>& cell, double& work)
+{
   for (std::size_t k = 0; k < D; ++k) {
     const std::size_t axis = zero.order[k];
     const auto& side = zero.box[axis];
     const auto& t = zero.chain[k];
-    double dense = 1;
-    for (std::size_t i = 0; i < D; ++i) dense *= t.degree(i) + 1;
-    if (dense > max_dense || side.lower() < cell[axis].lower() || side.upper() > cell[axis].upper()) return false;
+    if (!fits(t) || side.lower() < cell[axis].lower() || side.upper() > cell[axis].upper()) return false;
     if (!is_monic<D>(t, axis, std::span(zero.order).subspan(k + 1))) return false;
     const bool is_flat = side.lower() == side.upper();
-    if (is_flat ? !fixes(t, axis, side.lower()) : !changes_sign_along(t, axis, zero.box)) return false;
+    if (is_flat ? !fixes(t, axis, side.lower()) : !changes_sign_along(t, axis, zero.box, work)) return false;
   }
-  for (std::size_t k = D; k-- > 0;) g = remainder(std::move(g), zero.chain[k], zero.order[k]);
+  for (std::size_t k = D; k-- > 0;)
+    if (!reduce(g, zero.chain[k], zero.order[k], work)) return false;
   return g.is_zero();
 }
 
 } // namespace
 
 template <std::size_t D>
-bool is_acceptable(const Witness<D>& witness, const Polynomial<Rational, D>& g, const Rational_box<D>& cell)
+bool is_acceptable(const Witness<D>& witness, const Polynomial<Rational, D>& g, const Rational_box<D>& cell,
+                   double& work)
 {
-  if (const auto* change = std::get_if<Sign_change<D>>(&witness)) return proves(*change, g, cell);
-  if (const auto* zero = std::get_if<Triangular_zero<D>>(&witness)) return proves(*zero, g, cell);
+  if (const auto* change = std::get_if<Sign_change<D>>(&witness)) return proves(*change, g, cell, work);
+  if (const auto* zero = std::get_if<Triangular_zero<D>>(&witness)) return proves(*zero, g, cell, work);
   return false;
+}
+
+template <std::size_t D>
+double square_free_work(const Polynomial<Rational, D>& f, const Polynomial<Rational, D>& g, unsigned power)
+{
+  double work = 0;
+  (void)remainder(f, g, work);
+  auto rest = constant<Rational, D>(1);
+  for (unsigned k = 0; k < std::min(power, f.total_degree()); ++k) {
+    Counted_sum<D> product(work);
+    for (const auto& term : rest.terms()) product.add(g, term.coefficient, term.exponents);
+    auto next = remainder(product.polynomial(), f, work);
+    if (!next || product.is_hopeless()) return 2 * max_work;
+    rest = std::move(*next);
+  }
+  return work;
 }
 
 /// On a line through the origin in a direction where the form of highest degree does not vanish, no factor becomes
@@ -148,9 +254,12 @@ unsigned highest_multiplicity(const Polynomial<Rational, D>& f)
   }
 }
 
-template bool is_acceptable(const Witness<1>&, const Polynomial<Rational, 1>&, const Rational_box<1>&);
-template bool is_acceptable(const Witness<2>&, const Polynomial<Rational, 2>&, const Rational_box<2>&);
-template bool is_acceptable(const Witness<3>&, const Polynomial<Rational, 3>&, const Rational_box<3>&);
+template bool is_acceptable(const Witness<1>&, const Polynomial<Rational, 1>&, const Rational_box<1>&, double&);
+template bool is_acceptable(const Witness<2>&, const Polynomial<Rational, 2>&, const Rational_box<2>&, double&);
+template bool is_acceptable(const Witness<3>&, const Polynomial<Rational, 3>&, const Rational_box<3>&, double&);
+template double square_free_work(const Polynomial<Rational, 1>&, const Polynomial<Rational, 1>&, unsigned);
+template double square_free_work(const Polynomial<Rational, 2>&, const Polynomial<Rational, 2>&, unsigned);
+template double square_free_work(const Polynomial<Rational, 3>&, const Polynomial<Rational, 3>&, unsigned);
 template unsigned highest_multiplicity(const Polynomial<Rational, 1>&);
 template unsigned highest_multiplicity(const Polynomial<Rational, 2>&);
 template unsigned highest_multiplicity(const Polynomial<Rational, 3>&);

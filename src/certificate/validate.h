@@ -11,10 +11,17 @@
 /// The conditions of doc/certificate.md, section 5, seen from the side that writes.
 namespace corral::certificate {
 
-/// Whether the witness proves a zero of `g` in the closed cell in a way that a checker accepts.
+/// \brief Whether the witness proves a zero of `g` in the closed cell in a way that a checker accepts.
+/// \param work  grows by what a checker counts for it.
 template <std::size_t D>
 [[nodiscard]] bool is_acceptable(const Witness<D>& witness, const Polynomial<Rational, D>& g,
-                                 const Rational_box<D>& cell);
+                                 const Rational_box<D>& cell, double& work);
+
+/// \brief What a checker counts to see that g divides f and that f divides g^power, as they do; more than `max_work` if
+/// it would not do it.
+template <std::size_t D>
+[[nodiscard]] double square_free_work(const Polynomial<Rational, D>& f, const Polynomial<Rational, D>& g,
+                                      unsigned power);
 
 /// Multiplicity of the most multiple factor of `f`, or more. \pre f is not zero.
 template <std::size_t D>

@@ -19,6 +19,12 @@ using Members = std::vector<std::pair<std::string, Value>>;
 
 std::int64_t size_of(const Contents& contents) { return static_cast<std::int64_t>(contents.dimension()); }
 
+std::string indexed(std::string name, std::size_t index)
+{
+  name.append("[").append(std::to_string(index)).append("]");
+  return name;
+}
+
 const Value* find(const Members& members, std::string_view key)
 {
   const auto found = std::find_if(members.begin(), members.end(), [&](const auto& m) { return m.first == key; });
@@ -63,7 +69,7 @@ void read_polynomials(const Value& given, const Value& square_free, Contents& co
   std::vector<Value> parts(contents.given);
   if (!square_free.is_null()) parts = square_free.list(static_cast<std::int64_t>(contents.given), "square_free");
   for (std::size_t j = 0; j < contents.given; ++j) {
-    const std::string index = "[" + std::to_string(j) + "]";
+    const std::string index = indexed("", j);
     const Polynomial f = read_polynomial(polynomials[j], contents.dimension(), "polynomials" + index);
     contents.claims.polynomials.push_back(to_text(f, contents.claims.variables));
     contents.proved.push_back(read_square_free(parts[j], contents.dimension(), f, "square_free" + index, budget));
@@ -93,8 +99,7 @@ void read_grid(const Value& box, const Value& resolution, Contents& contents)
 void read_reasons(const Value& value, Contents& contents)
 {
   const auto reasons = value.list(-1, "reasons");
-  for (const Value& reason : reasons)
-    require(!reason.string("reasons").empty(), reason.place("reasons"), "is empty");
+  for (const Value& reason : reasons) require(!reason.string("reasons").empty(), reason.place("reasons"), "is empty");
   contents.reasons = reasons.size();
   require(contents.reasons <= 10, value.place("reasons"), "more than 10 entries");
 }
@@ -106,7 +111,7 @@ void read_multipliers(const Members& members, Contents& contents, Budget& budget
   const Value& multipliers = get(members, "multipliers");
   Items items(multipliers, "multipliers");
   for (Value entry; items.next(entry);)
-    read_multipliers(entry, contents, "multipliers[" + std::to_string(contents.multipliers.size()) + "]", budget);
+    read_multipliers(entry, contents, indexed("multipliers", contents.multipliers.size()), budget);
 }
 
 void require_string(const Members& members, const char* key, const char* expected)

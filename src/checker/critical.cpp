@@ -25,7 +25,7 @@ Face facet_of(const Face& face, std::size_t axis, bool is_upper, Budget& budget)
 
 void require_branch(std::size_t depth, double held, const Place& place)
 {
-  require(depth <= max_nodes_of_branch, place, "more than 1100 nodes lie one within another");
+  limit(depth <= max_nodes_of_branch, place, "more than 1100 nodes lie one within another");
   Budget::require_form_words(held);
 }
 

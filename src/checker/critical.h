@@ -53,7 +53,7 @@ constexpr std::size_t max_nodes_of_branch = 1100;
   return static_cast<double>(form.sizes.size() + 1) * form.held();
 }
 
-/// Section 7. \throw Rejected, Stopped.
+/// Keeps to the limits of a branch (section 7).
 void require_branch(std::size_t depth, double held, const Place& place);
 
 } // namespace corral_check

@@ -27,6 +27,12 @@ inline void require(bool condition, const Place& place, const char* why)
   if (!condition) reject(place, why);
 }
 
+/// Keeps to a limit of section 7.
+inline void limit(bool condition, const Place& place, const char* why)
+{
+  if (!condition) throw Stopped(place.words, why, place.byte);
+}
+
 } // namespace corral_check
 
 #endif

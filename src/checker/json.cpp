@@ -47,7 +47,7 @@ std::uint64_t Value::number(std::uint64_t least, std::uint64_t most, const std::
 mpq_class Value::exact(const std::string& where) const
 {
   const std::string digits = string(where);
-  require(digits.size() <= max_digits, place(where), "an exact text is longer than 100000 characters");
+  limit(digits.size() <= max_digits, place(where), "an exact text is longer than 100000 characters");
   require(has_exact_syntax(digits), place(where), "not an exact text, such as '-3' or '2/7'");
   mpq_class result(digits);
   if (digits.find('/') == std::string::npos) return result;

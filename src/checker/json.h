@@ -13,7 +13,8 @@
 #include <vector>
 
 /// \file
-/// JSON values as parts of the text that holds them: nothing is copied before it is asked for, and each knows its place.
+/// JSON values as parts of the text that holds them: nothing is copied before it is asked for, and each knows its
+/// place.
 namespace corral_check {
 
 /// \brief A value of a JSON text that `read_json` has found well formed.

@@ -79,7 +79,7 @@ public:
 
   std::size_t value(std::size_t depth)
   {
-    if (++count_ > max_values) fail("more than 2^23 values");
+    limit(++count_ <= max_values, {"json", at_}, "more than 2^23 values");
     switch (peek()) {
     case '[':
       list(depth);
@@ -121,7 +121,7 @@ private:
 
   void enter(std::size_t depth) const
   {
-    if (depth >= max_depth) fail("lists and objects are nested more than 16 deep");
+    limit(depth < max_depth, {"json", at_}, "lists and objects are nested more than 16 deep");
   }
 
   void list(std::size_t depth)

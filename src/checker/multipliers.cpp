@@ -49,8 +49,8 @@ void read_multipliers(const Value& value, Contents& contents, const std::string&
   const auto fields = value.fields({"of", "a", "b", "factors"}, where);
   Multipliers result;
   result.of = fields[0].number(0, contents.proved.size() - 1, where + " of");
-  const Polynomial combination = read_combination(fields[1], fields[2], contents.dimension(), result,
-                                                  contents.proved[result.of], where, budget);
+  const Polynomial combination =
+      read_combination(fields[1], fields[2], contents.dimension(), result, contents.proved[result.of], where, budget);
   require(!combination.empty(), value.place(where), "the combination is zero");
   read_factors(fields[3], combination, contents, result, where + " factors", budget);
   contents.multipliers.push_back(std::move(result));

@@ -2,6 +2,7 @@
 #include "polynomial.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace corral_check {
@@ -15,7 +16,7 @@ void require_dense_size(const Polynomial& f, const Place& place)
 {
   double size = 1;
   for (const unsigned degree : degrees(f)) size *= degree + 1;
-  require(size <= max_dense, place, "the product of (degree + 1) over the axes is above 2^16");
+  limit(size <= max_dense, place, "the product of (degree + 1) over the axes is above 2^16");
 }
 
 mpq_class power(const mpq_class& base, unsigned exponent)
@@ -24,6 +25,13 @@ mpq_class power(const mpq_class& base, unsigned exponent)
   mpz_pow_ui(result.get_num_mpz_t(), base.get_num_mpz_t(), exponent);
   mpz_pow_ui(result.get_den_mpz_t(), base.get_den_mpz_t(), exponent);
   return result;
+}
+
+unsigned read_exponent(const Value& value, const std::string& where)
+{
+  const std::uint64_t exponent = value.number(0, std::numeric_limits<std::int64_t>::max(), where);
+  limit(exponent <= max_exponent, value.place(where), "an exponent is above 1000");
+  return static_cast<unsigned>(exponent);
 }
 
 /// The exponents of a over those of b, if there is no negative one.
@@ -47,12 +55,11 @@ Polynomial read_polynomial(const Value& value, std::size_t dimension, const std:
     mpq_class coefficient = entries[0].exact(where);
     require(coefficient != 0, entries[0].place(where), "a coefficient is 0");
     Exponents exponents{};
-    for (std::size_t axis = 0; axis < dimension; ++axis)
-      exponents[axis] = static_cast<unsigned>(entries[axis + 1].number(0, max_exponent, where));
+    for (std::size_t axis = 0; axis < dimension; ++axis) exponents[axis] = read_exponent(entries[axis + 1], where);
     require(result.empty() || result.rbegin()->first < exponents, term.place(where),
             "the terms are not sorted by exponents");
     result.emplace_hint(result.end(), exponents, std::move(coefficient));
-    require(static_cast<double>(result.size()) <= max_dense, value.place(where), "more than 2^16 terms");
+    limit(static_cast<double>(result.size()) <= max_dense, value.place(where), "more than 2^16 terms");
   }
   require(!result.empty(), value.place(where), "a polynomial has at least one term");
   require_dense_size(result, value.place(where));

@@ -149,7 +149,7 @@ private:
   void split(Node node, const Place& place)
   {
     if (node.level == 0) settle(node, 'e', counts_.empty); // what follows must prove it
-    require(--node.level >= min_level, place, "deeper than 1000 levels below the cells");
+    limit(--node.level >= min_level, place, "deeper than 1000 levels below the cells");
     if (node.level < 0)
       for (mpz_class& part : node.part) part *= 2;
     for (const Bernstein_form& form : node.forms) {

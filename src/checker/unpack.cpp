@@ -12,10 +12,7 @@ namespace {
 
 constexpr std::size_t max_text = std::size_t{1} << 28;
 
-void require_short(std::size_t size)
-{
-  if (size > max_text) throw Stopped("file", "longer than 2^28 bytes", {});
-}
+void require_short(std::size_t size) { limit(size <= max_text, {"file"}, "longer than 2^28 bytes"); }
 
 std::string inflate_whole(const std::string& bytes)
 {

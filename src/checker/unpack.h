@@ -6,7 +6,8 @@
 
 namespace corral_check {
 
-/// The JSON text in the bytes of a file, which may be gzip. \throw Rejected if it is damaged; Stopped if it is too long.
+/// The JSON text in the bytes of a file, which may be gzip. \throw Rejected if it is damaged; Stopped if it is too
+/// long.
 [[nodiscard]] std::string unpack(std::string bytes);
 
 } // namespace corral_check

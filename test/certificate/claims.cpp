@@ -45,7 +45,8 @@ private:
   void read_node(int level, const std::vector<std::uint64_t>& corner)
   {
     if (position_ >= tree_.size() || level < -1000) throw Malformed{};
-    const char symbol = tree_[position_++];
+    const char read = tree_[position_++];
+    const char symbol = read == 'c' ? 'e' : read; // another proof of the same
     if (symbol == 's') return read_children(level, corner);
     if (level < 0) {
       if (symbol != 'e') throw Malformed{};

@@ -2,6 +2,8 @@
 #include "certificate_cases.h"
 #include "claims.h"
 
+#include <corral_check/check.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -142,6 +144,11 @@ public:
         root["witnesses"] = json::array();
         root["reasons"] = json::array();
       }
+    } else if (!root["critical"].empty() && below(2) == 0) {
+      tree[below(tree.size())] = 'c';
+      auto& critical = root["critical"];
+      critical.insert(critical.begin() + static_cast<std::ptrdiff_t>(below(critical.size() + 1)),
+                      json(critical[below(critical.size())]));
     } else if (const auto leaf = tree.find('e', below(tree.size())); leaf != std::string::npos) {
       const auto place = std::count(tree.begin(), tree.begin() + static_cast<std::ptrdiff_t>(leaf), 'w');
       auto& witnesses = root["witnesses"];
@@ -385,6 +392,73 @@ TEST(Mutations, of_gzip_bytes_are_rejected)
   EXPECT_LE(outcome.same * 4, outcome.rejected);
 }
 
+/// A file that calls the one cell [0, 1]^2 empty, by critical multipliers.
+std::string forged(const char* polynomial, const char* multipliers, const char* critical)
+{
+  json root = json::parse(R"({"format": "corral-certificate", "version": 2, "dimension": 2, "variables": ["x", "y"],
+    "square_free": null, "box": [["0", "1"], ["0", "1"]], "resolution": [1, 1], "method": "bernstein", "tree": "c",
+    "witnesses": [], "reasons": [], "empty": 1, "hit": 0, "unknown": 0})");
+  root["polynomials"] = json::array({json::parse(polynomial)});
+  root["multipliers"] = json::parse(multipliers);
+  root["critical"] = json::parse(critical);
+  return root.dump();
+}
+
+struct Forgery
+{
+  const char* condition; ///< the only one that is broken
+  std::string text;
+};
+
+/// Each is false, and all conditions of section 6 but one hold.
+std::vector<Forgery> forgeries()
+{
+  // (x - 1/2)^2 + (y - 1/2)^2 - 1/16, whose multipliers 4 and -2 (y - 1/2) give (2x - 1/2)(2x - 3/2).
+  const char* circle = R"([["7/16", 0, 0], ["-1", 0, 1], ["1", 0, 2], ["-1", 1, 0], ["1", 2, 0]])";
+  const char* line = R"([["-1/2", 0, 0], ["1", 0, 1]])";                   // y - 1/2
+  const char* slanted = R"([["-1/2", 0, 0], ["1", 0, 1], ["1/8", 1, 0]])"; // y + x/8 - 1/2
+  const char* slope_of_line = R"([{"of": 0, "a": null, "b": [null, [["1", 0, 0]]], "factors": []}])";
+  return {
+      {"the factors divide", forged(circle, R"([{"of": 0, "a": [["4", 0, 0]], "b": [null, [["1", 0, 0], ["-2", 0, 1]]],
+                           "factors": [[[["1", 0, 0], ["1", 1, 0]], 2]]}])",
+                                    R"([[0, 0, "seeseeseee"]])")},
+      {"no factor is missing", forged(circle, R"([{"of": 0, "a": [["4", 0, 0]],
+                           "b": [null, [["1", 0, 0], ["-2", 0, 1]]], "factors": []}])",
+                                      R"([[0, 0, "seeseesee"]])")},
+      {"the combination is not zero", forged(circle, R"([{"of": 0, "a": [["-1", 0, 0], ["2", 0, 1]],
+                           "b": [null, [["-7/16", 0, 0], ["1", 0, 1], ["-1", 0, 2], ["1", 1, 0], ["-1", 2, 0]]],
+                           "factors": []}])",
+                                             R"([[0, 0, "seeseesee"]])")},
+      {"the factors have no zero", forged(circle, R"([{"of": 0, "a": [["4", 0, 0]],
+                           "b": [null, [["1", 0, 0], ["-2", 0, 1]]],
+                           "factors": [[[["-1", 0, 0], ["4", 1, 0]], 1], [[["-3", 0, 0], ["4", 1, 0]], 1]]}])",
+                                          R"([[0, 0, "seeseesee"]])")},
+      {"the multipliers are of this polynomial",
+       forged(slanted, R"([{"of": 0, "a": null, "b": [null, [["1", 0, 0], ["1", 1, 0]]],
+                         "factors": [[[["1", 0, 0], ["1", 1, 0]], 1]]},
+                        {"of": 1, "a": [["1", 0, 0]], "b": [null, null], "factors": [[[["1", 0, 0], ["1", 1, 0]], 1]]}])",
+              R"([[0, 0, "ceee"], [1, 1, "ee"]])")},
+      {"the axis is none of a derivative", forged(line, slope_of_line, R"([[0, 1, "ee"]])")},
+      {"the facet where the axis begins", forged(slanted, slope_of_line, R"([[0, 0, "ee"]])")},
+      {"the lower facets along derivatives", // y + 4 (x - 1/2)^2 - 1/4
+       forged(R"([["3/4", 0, 0], ["1", 0, 1], ["-4", 1, 0], ["4", 2, 0]])", slope_of_line, R"([[0, 0, "esee"]])")},
+      {"the upper facets along derivatives", // 3/4 - y + 4 (x - 1/2)^2
+       forged(R"([["7/4", 0, 0], ["-1", 0, 1], ["-4", 1, 0], ["4", 2, 0]])", slope_of_line, R"([[0, 0, "esee"]])")},
+      {"the trees of faces prove", forged(slanted, slope_of_line, R"([[0, 0, "eee"]])")},
+  };
+}
+
+TEST(Forgeries, of_critical_multipliers_are_rejected)
+{
+  for (const auto& forgery : forgeries()) {
+    const auto claims = read_claims(forgery.text);
+    ASSERT_TRUE(claims) << forgery.condition;
+    ASSERT_FALSE(are_true(*claims, Claims{})) << forgery.condition;
+    EXPECT_THROW((void)corral_check::check(forgery.text), corral_check::Rejected)
+        << "accepted a false claim: " << forgery.condition;
+  }
+}
+
 #ifdef CORRAL_PYTHON_CHECKER
 /// The lines that the second checker prints for some files.
 std::vector<std::string> second_opinions(const std::string& paths)
@@ -424,7 +498,9 @@ TEST(Mutations, are_judged_alike_by_both_checkers)
   Mutator mutator(20053);
   std::vector<std::string> texts;
   std::vector<std::string> second;
-  for (const std::string& original : originals()) {
+  std::vector<std::string> sources = originals();
+  for (const auto& forgery : forgeries()) sources.push_back(forgery.text);
+  for (const std::string& original : sources) {
     std::string paths; // one call for each original: a command line cannot be of any length
     for (std::size_t round = 0; round < 1 + rounds() / 20; ++round) {
       texts.push_back(round == 0 ? original : round == 1 ? gzip(original) : mutator.mutate(original));

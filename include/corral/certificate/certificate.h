@@ -12,6 +12,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 /// \file
@@ -36,6 +37,25 @@ struct Certified_polynomial
   unsigned power = 1;                 ///< `given` divides this power of `square_free`
 };
 
+/// \brief a q + sum of b_k dq/dx_k, for some polynomial q, is a constant times the product of all factors with their
+/// exponents: where q and those derivatives vanish, one of the factors does.
+template <std::size_t D>
+struct Multipliers
+{
+  std::size_t of = 0;                        ///< number of q: one of the input, or a factor of earlier multipliers
+  Polynomial<Integer, D> a{};                ///< zero if there is none
+  std::array<Polynomial<Integer, D>, D> b{}; ///< zero where there is none
+  std::vector<std::pair<Polynomial<Integer, D>, unsigned>> factors{}; ///< not constant, with exponents
+};
+
+/// The proof of a box without zeros by critical multipliers (doc/certificate.md, section 6).
+struct Critical_proof
+{
+  std::size_t multipliers = 0; ///< an index
+  std::size_t axis = 0;        ///< along which a zero would be the first
+  std::string trees{};         ///< of the facets and the factors
+};
+
 /// \brief What a file of proofs contains; doc/certificate.md gives the meaning of the parts.
 template <std::size_t D>
 struct Certificate
@@ -44,6 +64,8 @@ struct Certificate
   Grid<D> grid;                                     ///< the cells
   std::string tree{};                               ///< one character for each box
   std::vector<Proved_cell<D>> witnesses{};          ///< those that the tree refers to, in its order
+  std::vector<Multipliers<D>> multipliers{};        ///< those that `critical` refers to
+  std::vector<Critical_proof> critical{};           ///< those that the tree refers to, in its order
   std::vector<std::string> reasons{};               ///< why cells are unknown
   std::uint64_t empty = 0;                          ///< number of cells
   std::uint64_t hit = 0;                            ///< number of cells
