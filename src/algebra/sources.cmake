@@ -8,6 +8,7 @@ target_sources(corral PRIVATE
   algebra/Integer_polynomial.cpp
   algebra/Plane_system.cpp
   algebra/Prime_field.cpp
+  algebra/Projected_zeros.cpp
   algebra/Real_root.cpp
   algebra/exact_range.cpp
   algebra/integer_polynomial_gcd.cpp
