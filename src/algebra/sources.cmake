@@ -7,6 +7,7 @@ target_sources(corral PRIVATE
   algebra/Fibre.cpp
   algebra/Integer_polynomial.cpp
   algebra/Plane_system.cpp
+  algebra/Projected_zeros.cpp
   algebra/Real_root.cpp
   algebra/cofactors.cpp
   algebra/definite.cpp

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <corral/geometry/mesh_curve.h>
+
+#include "Curve_cells.h"
+#include "components.h"
+
+#include "../algebra/restriction.h"
+
+#include <corral/errors.h>
+#include <corral/number/Double_bracket.h>
+#include <corral/number/Environment.h>
+#include <corral/number/format.h>
+#include <corral/polynomial/square_free.h>
+#include <corral/polynomial/substitution.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace corral {
+
+namespace {
+
+using namespace geometry;
+
+Rational rational(const Integer& c) { return c; }
+
+/// First cuts that no curve drawn by people has for a special coordinate; dyadic with few bits.
+constexpr std::array<std::array<double, 2>, 6> first_cuts{{{265.0 / 512, 247.0 / 512},
+                                                          {243.0 / 512, 271.0 / 512},
+                                                          {277.0 / 512, 239.0 / 512},
+                                                          {233.0 / 512, 281.0 / 512},
+                                                          {287.0 / 512, 227.0 / 512},
+                                                          {221.0 / 512, 291.0 / 512}}};
+
+void require_meshable(const Polynomial<Rational, 2>& f, const Rational_box<2>& box, const Mesh_options& options)
+{
+  if (f.is_zero())
+    throw Invalid_input("mesh_curve: the polynomial is zero, so that every point is a zero; expected one that is not");
+  for (std::size_t k = 0; k < 2; ++k)
+    if (box[k].lower() >= box[k].upper())
+      throw Invalid_input("mesh_curve: side " + std::to_string(k + 1) + " of the box is the point "
+                          + box[k].lower().get_str() + "; expected LOWER < UPPER");
+  if (options.tolerance <= 0)
+    throw Invalid_input("mesh_curve: the tolerance is " + options.tolerance.get_str() + "; expected a positive number");
+}
+
+/// A curve and the sides of a box that are part of it.
+struct Parts
+{
+  Polynomial<Integer, 2> rest;
+  std::array<std::array<bool, 2>, 2> side{}; ///< [normal axis][lower or upper]
+};
+
+Parts without_sides(const Polynomial<Rational, 2>& f, const Rational_box<2>& box)
+{
+  Parts parts{square_free_part(f), {}};
+  for (const std::size_t normal : {0U, 1U})
+    for (const std::size_t end : {0U, 1U}) {
+      const Rational& value = end == 0 ? box[normal].lower() : box[normal].upper();
+      if (parts.rest.is_constant() || !exact::restriction(parts.rest, normal, value).is_zero()) continue;
+      auto by_other = exact::bivariate(parts.rest, 1 - normal);
+      for (auto& c : by_other)
+        if (!c.empty()) c = exact_quotient(c, {-value.get_num(), value.get_den()});
+      parts.rest = exact::polynomial(by_other, 1 - normal);
+      parts.side[normal][end] = true;
+    }
+  return parts;
+}
+
+Polynomial<Integer, 2> on_unit_box(const Polynomial<Integer, 2>& f, const Rational_box<2>& box)
+{
+  return integer_primitive(
+      affine_substitution(transform<Rational>(f, rational), {box[0].lower(), box[1].lower()},
+                          {Rational(box[0].upper() - box[0].lower()), Rational(box[1].upper() - box[1].lower())}));
+}
+
+/// From the pieces in the unit box to the mesh in the caller's box.
+class Assembly
+{
+public:
+  Assembly(Plane_graph graph, const std::vector<Singular_points::Point>& singular, const Rational_box<2>& box)
+      : graph_(std::move(graph)), singular_(singular)
+  {
+    mesh_.box = box;
+  }
+
+  /// Adds the side of the box between the vertices on it. \param on_side  in increasing order.
+  void add_side(std::size_t normal, std::size_t end, std::vector<std::size_t> on_side)
+  {
+    const auto at = static_cast<double>(end);
+    for (const bool upper : {false, true}) {
+      std::array<Range, 2> corner;
+      corner[normal] = {at, at};
+      corner[1 - normal] = upper ? Range{1, 1} : Range{0, 0};
+      const std::size_t vertex = corner_vertex(corner);
+      const auto is_it = [&](std::size_t v) { return graph_.find(v) == graph_.find(vertex); };
+      if (std::none_of(on_side.begin(), on_side.end(), is_it))
+        on_side.insert(upper ? on_side.end() : on_side.begin(), vertex);
+    }
+    for (std::size_t k = 0; k + 1 < on_side.size(); ++k) graph_.connect(on_side[k], on_side[k + 1]);
+    // Whatever else meets the side makes its vertex singular.
+    lines_.insert(lines_.end(), on_side.begin() + 1, on_side.end() - 1);
+  }
+
+  [[nodiscard]] Curve_mesh finish(const Outline& outline)
+  {
+    (void)outline;
+    std::vector<std::size_t> index(graph_.size());
+    for (std::size_t node = 0; node < graph_.size(); ++node)
+      if (graph_.find(node) == node) {
+        index[node] = mesh_.vertices.size();
+        mesh_.vertices.push_back(vertex(graph_.node(node)));
+      }
+    for (const auto& [a, b] : graph_.edges()) mesh_.edges.push_back({index[graph_.find(a)], index[graph_.find(b)]});
+    for (const std::size_t node : lines_) mesh_.vertices[index[graph_.find(node)]].is_singular = true;
+    return std::move(mesh_);
+  }
+
+private:
+  std::size_t corner_vertex(const std::array<Range, 2>& corner)
+  {
+    for (std::size_t node = 0; node < graph_.size(); ++node) {
+      const auto& box = graph_.node(node).box;
+      if (box[0].low == corner[0].low && box[0].high == corner[0].low && box[1].low == corner[1].low
+          && box[1].high == corner[1].low)
+        return node;
+    }
+    return graph_.add({corner});
+  }
+
+  [[nodiscard]] Rational_interval side(const Range& range, std::size_t axis) const
+  {
+    const auto& whole = mesh_.box[axis];
+    if (range.low == 0 && range.high == 1) return whole;
+    const Rational width = whole.upper() - whole.lower();
+    const Rational low = whole.lower() + width * Rational(range.low);
+    return range.low == range.high ? Rational_interval(low)
+                                   : Rational_interval(low, whole.lower() + width * Rational(range.high));
+  }
+
+  [[nodiscard]] Curve_vertex vertex(const Plane_graph::Node& node) const
+  {
+    Curve_vertex result;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Range& range = node.box[k];
+      result.box[k] = side(range, k);
+      result.is_on_boundary = result.is_on_boundary || (range.low == range.high && (range.low == 0 || range.low == 1));
+    }
+    if (node.singular >= 0) {
+      const auto& point = singular_[static_cast<std::size_t>(node.singular)];
+      result.is_singular = true;
+      result.box = point.box;
+    }
+    for (std::size_t k = 0; k < 2; ++k) result.point[k] = (result.box[k].lower() + result.box[k].upper()) / 2;
+    return result;
+  }
+
+  Plane_graph graph_;
+  const std::vector<Singular_points::Point>& singular_;
+  std::vector<std::size_t> lines_;
+  Curve_mesh mesh_;
+};
+
+} // namespace
+
+Curve_mesh mesh_curve(const Polynomial<Rational, 2>& f, const Rational_box<2>& box, const Mesh_options& options)
+{
+  const Nearest_scope scope;
+  require_meshable(f, box, options);
+  const Parts parts = without_sides(f, box);
+  Singular_points singular(parts.rest, box, options.checkpoint);
+  Curve_settings settings;
+  for (std::size_t k = 0; k < 2; ++k) settings.size[k] = bracket(box[k].upper() - box[k].lower()).above;
+  settings.tolerance = bracket(options.tolerance).below;
+  settings.aspect = (box[1].upper() - box[1].lower()) / (box[0].upper() - box[0].lower());
+  settings.max_cells = options.max_cells;
+  settings.checkpoint = options.checkpoint;
+  Plane_graph graph;
+  Outline outline;
+  std::vector<Curve_cells::Doubt> doubts;
+  std::size_t cells = 0;
+  if (!parts.rest.is_constant()) {
+    const auto on_unit = on_unit_box(parts.rest, box);
+    Curve_cells curve(on_unit, singular, settings);
+    for (std::size_t attempt = 0;; ++attempt) {
+      try {
+        curve.run(first_cuts[attempt]);
+        break;
+      } catch (const Not_generic&) {
+        if (attempt + 1 == first_cuts.size()) throw Budget_exceeded("mesh_curve: no choice of cuts is generic");
+      }
+    }
+    graph = curve.take_graph();
+    outline = curve.outline();
+    doubts = curve.doubts();
+    cells = curve.cells();
+  }
+  Assembly assembly(std::move(graph), singular.points(), box);
+  for (const std::size_t normal : {0U, 1U})
+    for (const std::size_t end : {0U, 1U})
+      if (parts.side[normal][end]) assembly.add_side(normal, end, outline.side[normal][end]);
+  Curve_mesh mesh = assembly.finish(outline);
+  mesh.cells = cells;
+  for (const auto& doubt : doubts) {
+    Rational_box<2> region;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Rational width = box[k].upper() - box[k].lower();
+      region[k] = {box[k].lower() + width * Rational(doubt.box[k].low), box[k].lower() + width * Rational(doubt.box[k].high)};
+    }
+    mesh.uncertified.push_back({region, doubt.reason});
+  }
+  find_components(mesh);
+  return mesh;
+}
+
+} // namespace corral

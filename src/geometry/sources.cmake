@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+target_sources(corral PRIVATE
+  geometry/Cell_form.cpp
+  geometry/Curve_cells.cpp
+  geometry/Curve_star.cpp
+  geometry/Plane_graph.cpp
+  geometry/Side_zeros.cpp
+  geometry/Singular_points.cpp
+  geometry/components.cpp
+  geometry/mesh_curve.cpp)
