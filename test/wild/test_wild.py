@@ -4,6 +4,7 @@
 
 usage: test_wild.py CORRAL
 """
+import dataclasses
 import fractions
 import itertools
 import pathlib
@@ -15,6 +16,8 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent / "lib"))
 
+import programs
+import table
 from judgement import Judgement, connected_parts, judge
 from raster import cells_of_shape, write_cells
 from witness import evaluate, lost_cell_of_witness
@@ -70,6 +73,16 @@ class Features(unittest.TestCase):
 
     def test_cells_that_share_a_corner_are_connected(self):
         self.assertEqual(len(connected_parts({(0, 0, 0), (1, 1, 1), (3, 3, 3)})), 2)
+
+
+class Figures(unittest.TestCase):
+    def test_each_figure_that_differs_is_named(self):
+        program = programs.read_programs(["surf"])[0]
+        case = dataclasses.replace(program.cases[0], lost=1, lost_far=1, features=1, features_lost=1, false=0, false_far=0)
+        right, other = Judgement(set(), {(0, 0)}, set()), Judgement({(5, 5)}, {(0, 0)}, {(5, 5)})
+        self.assertEqual(table.complaints(program, case, right), [])
+        self.assertEqual([text.split(": ")[1] for text in table.complaints(program, case, other)],
+                         ["false is 1; expected 0", "false_far is 1; expected 0"])
 
 
 class Witness(unittest.TestCase):

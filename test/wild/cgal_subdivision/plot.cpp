@@ -82,13 +82,17 @@ namespace CGAL {
 
 constexpr int X_RANGE = 0;
 
-inline Bivariate transpose_bivariate_polynomial(const Bivariate& f) { return Polynomial_traits_d<Bivariate>::Swap()(f, 0, 1); }
+inline Bivariate transpose_bivariate_polynomial(const Bivariate& f)
+{
+  return Polynomial_traits_d<Bivariate>::Swap()(f, 0, 1);
+}
 
 namespace Intern {
 
 template <class NT>
 struct Range_templ
-{};
+{
+};
 
 template <class Coefficient>
 struct Max_coeff

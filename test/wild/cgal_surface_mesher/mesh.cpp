@@ -3,6 +3,7 @@
 // usage: mesh RADIUS SIZE   with the bound SIZE on facets and on their distance from the surface; prints triangles
 #include <CGAL/Complex_2_in_triangulation_3.h>
 #include <CGAL/Implicit_surface_3.h>
+#include <CGAL/Random.h>
 #include <CGAL/Surface_mesh_default_triangulation_3.h>
 #include <CGAL/make_surface_mesh.h>
 
@@ -22,9 +23,11 @@ double f(Traits::Point_3 point)
 int main(int, char** arguments)
 {
   const double radius = std::atof(arguments[1]), size = std::atof(arguments[2]);
+  CGAL::get_default_random() = CGAL::Random(1); // of the rays that it starts from
   Triangulation triangulation;
   Complex complex(triangulation);
-  const CGAL::Implicit_surface_3<Traits, double (*)(Traits::Point_3)> surface(&f, Traits::Sphere_3(CGAL::ORIGIN, radius * radius));
+  const CGAL::Implicit_surface_3<Traits, double (*)(Traits::Point_3)> surface(
+      &f, Traits::Sphere_3(CGAL::ORIGIN, radius * radius));
   const CGAL::Surface_mesh_default_criteria_3<Triangulation> criteria(30, size, size);
   CGAL::make_surface_mesh(complex, surface, criteria, CGAL::Manifold_tag());
 

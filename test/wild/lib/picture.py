@@ -4,21 +4,22 @@ from PIL import Image, ImageDraw
 from judgement import connected_parts
 
 SIDE = 320  # pixels of a panel
-GAP = 8
-CAPTION = 16
+GAP = 12
+CAPTION = 18
 INK, LOST, PAPER, FRAME = (0, 0, 0), (220, 20, 20), (255, 255, 255), (160, 160, 160)
-MOST_RINGS = 24
+MOST_RINGS = 4  # more would hide the picture
 
 
 def write(path, program, case, folder, judgement):
     panels = [_own_picture(folder) or _panel(case, [(judgement.plotted, INK)]),
               _ringed(_panel(case, [(judgement.hit, INK), (judgement.lost, LOST)]), case, judgement)]
-    sheet = Image.new("RGB", (2 * SIDE + GAP, SIDE + CAPTION), PAPER)
+    sheet = Image.new("RGB", (2 * SIDE + GAP + 4, SIDE + CAPTION + 2), PAPER)
     text = ImageDraw.Draw(sheet)
-    for panel, title, left in zip(panels, (f"{program.title} {program.version}", "exact; lost cells red"), (0, SIDE + GAP)):
-        text.text((left + 2, 2), title, fill=INK)
+    titles = (f"{program.title} {program.version}", "exact; lost cells red")
+    for panel, title, left in zip(panels, titles, (2, SIDE + GAP + 2)):
+        text.text((left, 2), title, fill=INK)
+        text.rectangle((left - 2, CAPTION - 2, left + SIDE + 1, CAPTION + SIDE + 1), outline=FRAME)
         sheet.paste(panel, (left, CAPTION))
-        text.rectangle((left, CAPTION, left + SIDE - 1, CAPTION + SIDE - 1), outline=FRAME)
     sheet.quantize(16).save(path, optimize=True)
 
 
@@ -42,7 +43,7 @@ def _ringed(image, case, judgement):
     """Rings around small clusters of lost cells, which one would not see."""
     draw = ImageDraw.Draw(image)
     clusters = connected_parts(set(_in_plane(case, judgement.lost_far or judgement.lost)))
-    for cluster in clusters[:MOST_RINGS]:
+    for cluster in clusters if len(clusters) <= MOST_RINGS else ():
         corners = [_pixel(case, cell, offset) for cell in cluster for offset in ((0, 0), (1, 1))]
         (left, right), (top, bottom) = ((min(side), max(side)) for side in zip(*corners))
         if max(right - left, bottom - top) < SIDE / 12:

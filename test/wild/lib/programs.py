@@ -69,11 +69,13 @@ class Program:
         """Runs the program, which leaves shapes.csv in the folder."""
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
-        box = " ".join(str(float(end)) if end.denominator > 1 else str(end) for side in problem.sides for end in side)
-        command = [self.folder / "draw", problem.expression or problem.polynomial, box, " ".join(map(str, problem.counts)), folder]
+        ends = [end for side in problem.sides for end in side]
+        box = " ".join(str(end if end.denominator == 1 else float(end)) for end in ends)
+        resolution = " ".join(map(str, problem.counts))
+        command = [self.folder / "draw", problem.expression or problem.polynomial, box, resolution, folder]
         environment = {**os.environ, "NODE_PATH": str(node_modules)}
         with open(folder / "log", "w", encoding="utf-8") as log:
-            subprocess.run(command, check=True, stdout=log, stderr=log, timeout=300, env=environment)
+            subprocess.run(command, check=True, cwd=folder, stdout=log, stderr=log, timeout=600, env=environment)
 
 
 def read_programs(names):
