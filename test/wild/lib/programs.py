@@ -2,6 +2,7 @@
 """The programs under audit and their cases, as program.toml says; their packages."""
 import dataclasses
 import fractions
+import json
 import os
 import pathlib
 import shutil
@@ -47,7 +48,7 @@ class Case(Problem):
 class Program:
     folder: pathlib.Path
     title: str
-    promise: str
+    promise: str  # of the program to its users, and what became of it
     control: Problem  # an ellipse or ellipsoid of no symmetry, which the program must not lose
     cases: list
     debian: list = dataclasses.field(default_factory=list)
@@ -63,7 +64,7 @@ class Program:
     def missing(self, node_modules):
         """The names of the packages that are not there."""
         return ([name for name in self.debian if not _debian_version(name)]
-                + [package for package in self.npm if not (node_modules / package.rpartition("@")[0]).is_dir()])
+                + [package for package in self.npm if not _has_package(node_modules, *package.rsplit("@", 1))])
 
     def draw(self, problem, folder, node_modules):
         """Runs the program, which leaves shapes.csv in the folder."""
@@ -104,6 +105,11 @@ def _read(path):
         values = tomllib.load(text)
     cases = [Case(**case) for case in values.pop("case")]
     return Program(path.parent, control=Problem(**values.pop("control")), cases=cases, **values)
+
+
+def _has_package(node_modules, name, version):
+    description = node_modules / name / "package.json"
+    return description.exists() and json.loads(description.read_text(encoding="utf-8"))["version"] == version
 
 
 def _debian_version(name):

@@ -2,8 +2,8 @@
 """The table of the audit, in Markdown, and its figures compared with those of program.toml."""
 
 HEAD = """\
-| program | what is lost | polynomial | box | grid | lost cells | far | features lost | false cells | far |
-| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |"""
+| program | what is lost | polynomial | box | grid | lost cells | far | features lost | false cells | far | promise |
+| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |"""
 
 
 def figures(judgement):
@@ -16,7 +16,7 @@ def row(program, case, judgement):
     seen = figures(judgement)
     columns = [f"{program.title} {program.version}", case.loss, f"`{case.polynomial}`", case.box,
                " x ".join(map(str, case.counts)), f"{seen['lost']} of {len(judgement.hit)}", seen["lost_far"],
-               f"{seen['features_lost']} of {seen['features']}", seen["false"], seen["false_far"]]
+               f"{seen['features_lost']} of {seen['features']}", seen["false"], seen["false_far"], program.promise]
     return f"| {' | '.join(map(str, columns))} |"
 
 
