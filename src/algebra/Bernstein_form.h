@@ -64,19 +64,27 @@ void for_each_line(const Bernstein_form<D>& form, std::size_t axis, const Functi
   for_each_line(form.size, axis, [&](std::size_t first, std::size_t) { function(first); });
 }
 
-/// \brief The dense coefficients of `g` in the power basis, kept in the same layout.
+/// \brief The number of coefficients of a dense polynomial of the degrees of `g`.
 /// \throw Budget_exceeded if there are more than 2^25 of them.
-template <std::size_t D>
-[[nodiscard]] Bernstein_form<D> dense_power_form(const Polynomial<Integer, D>& g)
+template <class NT, std::size_t D>
+std::size_t dense_size(const Polynomial<NT, D>& g)
 {
-  Bernstein_form<D> form;
-  std::size_t count = 1;
-  for (std::size_t k = 0; k < D; ++k) count *= form.size[k] = g.degree(k) + 1; // at most 2^48
+  std::size_t count = 1; // at most 2^48
+  for (std::size_t k = 0; k < D; ++k) count *= g.degree(k) + std::size_t{1};
   constexpr std::size_t most = std::size_t{1} << 25;
   if (count > most)
     throw Budget_exceeded("exact decision: a polynomial has " + std::to_string(count)
                           + " coefficients, zeros included; expected at most " + std::to_string(most));
-  form.values.resize(count);
+  return count;
+}
+
+/// \brief The dense coefficients of `g` in the power basis, kept in the same layout. \throw Budget_exceeded.
+template <std::size_t D>
+[[nodiscard]] Bernstein_form<D> dense_power_form(const Polynomial<Integer, D>& g)
+{
+  Bernstein_form<D> form;
+  form.values.resize(dense_size(g));
+  for (std::size_t k = 0; k < D; ++k) form.size[k] = g.degree(k) + 1;
   for (const auto& term : g.terms()) {
     std::size_t index = 0;
     for (std::size_t k = 0; k < D; ++k) index = index * form.size[k] + term.exponents[k];

@@ -18,6 +18,7 @@ namespace corral::exact {
 template <std::size_t D>
 [[nodiscard]] Bernstein_form<D> bernstein_form(const Polynomial<Integer, D>& f, const Rational_box<D>& box)
 {
+  (void)dense_size(f); // before the substitution makes so many terms
   std::array<Rational, D> offset;
   std::array<Rational, D> scale;
   for (std::size_t k = 0; k < D; ++k) {

@@ -2,8 +2,10 @@
 #include "Zero_set.h"
 
 #include "../algebra/Extreme_points.h"
+#include "../algebra/definite.h"
 #include "../algebra/on_box.h"
 #include "../algebra/restriction.h"
+#include "../polynomial/to_exponent.h"
 #include "corners.h"
 #include "lift.h"
 
@@ -53,7 +55,7 @@ Cell_decision<1> real_root_in(const Polynomial<Integer, 1>& g, const Rational_in
     if ((*free)[i] != 0) {
       Rational c((*free)[i], free->back());
       c.canonicalize();
-      terms.push_back({{static_cast<std::uint16_t>(i)}, c});
+      terms.push_back({{detail::to_exponent(i)}, c});
     }
   zero.chain[0] = Polynomial<Rational, 1>(std::move(terms));
   zero.box[0] = root.interval();
@@ -77,6 +79,18 @@ const Polynomial<Integer, D>& Zero_set<D>::polynomial()
   return *polynomial_;
 }
 
+/// Whether it is seen at once that there is no real zero at all.
+template <std::size_t D>
+bool Zero_set<D>::is_definite()
+{
+  if constexpr (D > 1) {
+    if (checkpoint_) checkpoint_();
+    if (!definite_) definite_ = is_square_plus_constant(polynomial());
+    return *definite_;
+  }
+  return false;
+}
+
 template <std::size_t D>
 Rational_box<D> Zero_set<D>::piece_box(const Search& search, const Piece& piece) const
 {
@@ -96,6 +110,7 @@ Cell_decision<D> Zero_set<D>::decide(const Bernstein_form<D>& form, const Ration
   const auto pattern = sign_pattern(form);
   if (pattern.crosses) return {Verdict::hit, Rung::integers, corner_witness(corner_signs(form), box), {}};
   if (pattern.hull != 0) return {Verdict::empty, Rung::integers, Bounded_away{}, {}};
+  if (D == 3 && is_definite()) return {Verdict::empty, Rung::algebra, std::monostate{}, {}};
   if (auto zero = zero_on_facets(form, box)) return *zero;
   for (std::size_t axis = 0; axis < D; ++axis)
     if (form.size[axis] > 1 && one_sign_inside(derivative(form, axis)))
@@ -210,6 +225,7 @@ Cell_decision<D> Zero_set<D>::decide_by_algebra(Search& search)
   if constexpr (D == 1)
     return real_root_in(polynomial(), search.box[0], checkpoint_);
   else if constexpr (D == 2) {
+    if (is_definite()) return {Verdict::empty, Rung::algebra, std::monostate{}, {}};
     if (!extremes_) {
       const auto free = without_axis_lines(square_free_part(polynomial()));
       extremes_ = std::make_unique<Plane_system>(free, corral::derivative(free, 1));

@@ -53,6 +53,7 @@ private:
   };
 
   [[nodiscard]] const Polynomial<Integer, D>& polynomial();
+  [[nodiscard]] bool is_definite();
   [[nodiscard]] std::optional<Cell_decision<D>> zero_on_facets(const Bernstein_form<D>& form,
                                                                const Rational_box<D>& box);
   [[nodiscard]] std::optional<Cell_decision<D>> zero_in_section(const Bernstein_form<lower_dimension>& form,
@@ -69,6 +70,7 @@ private:
   Checkpoint checkpoint_;
   Witnesses witnesses_;
   std::optional<Polynomial<Integer, D>> polynomial_;
+  std::optional<bool> definite_;
   std::map<std::pair<std::size_t, Rational>, std::unique_ptr<Zero_set<lower_dimension>>> restrictions_;
   std::unique_ptr<Plane_system> extremes_; ///< D = 2: g and its derivative by y
   std::unique_ptr<Inner_pieces> pieces_;   ///< D = 3: strictly inside a box

@@ -3,6 +3,7 @@
 #define CORRAL_SRC_DECISION_CORNERS_H
 
 #include "../algebra/Bernstein_form.h"
+#include "../algebra/restriction.h"
 
 #include <corral/decision/Witness.h>
 
@@ -47,6 +48,28 @@ template <std::size_t D>
     for (unsigned variables = 0; variables < 1U << D; ++variables)
       if ((variables & ~corner) == 0) value += sums[variables];
     result.signs[corner] = sgn(value);
+  }
+  return result;
+}
+
+/// \brief Of a polynomial with few terms, on a box.
+/// \par Complexity  2^D D products for each term, and as many as the degrees.
+template <std::size_t D>
+[[nodiscard]] Corner_signs<D> corner_signs_of_terms(const Polynomial<Integer, D>& f, const Rational_box<D>& box)
+{
+  std::array<std::array<std::vector<Integer>, 2>, D> powers; // of both ends of each side, times one positive number
+  for (std::size_t k = 0; k < D; ++k)
+    for (const bool upper : {false, true})
+      powers[k][upper ? 1 : 0] = homogeneous_powers(upper ? box[k].upper() : box[k].lower(), f.degree(k));
+  Corner_signs<D> result;
+  for (unsigned corner = 0; corner < 1U << D; ++corner) {
+    Integer sum = 0;
+    for (const auto& term : f.terms()) {
+      Integer product = term.coefficient;
+      for (std::size_t k = 0; k < D; ++k) product *= powers[k][corner >> k & 1][term.exponents[k]];
+      sum += product;
+    }
+    result.signs[corner] = sgn(sum);
   }
   return result;
 }

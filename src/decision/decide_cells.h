@@ -12,10 +12,13 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <type_traits>
 #include <utility>
@@ -23,10 +26,12 @@
 
 namespace corral::exact {
 
-/// f in the grid's own coordinates, where each cell is a unit cube with integer corners, times a positive number.
+/// \brief f in the grid's own coordinates, where each cell is a unit cube with integer corners, times a positive
+/// number. \throw Budget_exceeded if that has too many coefficients.
 template <std::size_t D>
 [[nodiscard]] Polynomial<Integer, D> in_grid_coordinates(const Polynomial<Integer, D>& f, const Grid<D>& grid)
 {
+  (void)dense_size(f); // before the substitution makes so many terms
   std::array<Rational, D> offset;
   std::array<Rational, D> scale;
   for (std::size_t axis = 0; axis < D; ++axis) {
@@ -46,90 +51,172 @@ template <std::size_t D>
   return form;
 }
 
-/// \brief Decides cells with one decider for each thread, so that none is shared. The verdicts do not depend on the
-/// number of threads.
-/// \param make_decider  gives, for a checkpoint, an object with `decide(cell)`.
+/// \brief What the threads of a crew share. It outlives the crew where a thread is left to itself.
 template <std::size_t D, class Make_decider>
-class Cell_crew
+class Crew_work
 {
 public:
   using Decider = std::invoke_result_t<Make_decider, Checkpoint>;
 
-  Cell_crew(const Make_decider& make_decider, const Ideal_raster_options& options, std::uint64_t done,
-            std::uint64_t total)
-      : options_(options), done_(done), total_(total),
-        threads_(options.threads != 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency()))
-  {
-    for (unsigned k = 0; k < threads_; ++k) deciders_.push_back(make_decider([this] { require_going(); }));
-  }
-  Cell_crew(const Cell_crew&) = delete; // the checkpoints point here
-  Cell_crew& operator=(const Cell_crew&) = delete;
+  Crew_work(Make_decider make_decider, std::uint64_t done, unsigned threads)
+      : make_decider_(std::move(make_decider)), done_(done), deciders_(threads)
+  {}
+  Crew_work(const Crew_work&) = delete; // the checkpoints point here
+  Crew_work& operator=(const Crew_work&) = delete;
 
-  [[nodiscard]] std::vector<Cell_decision<D>> decide(const std::vector<Cell<D>>& cells)
+  /// New cells, none of them decided. \pre No thread works.
+  void begin(const std::vector<Cell<D>>& cells, unsigned threads)
   {
-    std::vector<Cell_decision<D>> decisions(
-        cells.size(), {Verdict::unknown, Rung::floats, {}, "stopped on request before the cell was decided"});
+    cells_ = cells;
+    decisions_.assign(cells.size(), {});
+    is_decided_ = std::make_unique<std::atomic<bool>[]>(cells.size());
     next_ = 0;
-    if (threads_ == 1 || cells.size() <= chunk) {
-      work(deciders_.front(), cells, decisions);
-    } else {
-      std::atomic<unsigned> working = threads_;
-      std::vector<std::jthread> crew;
-      for (auto& decider : deciders_)
-        crew.emplace_back([&] {
-          work(decider, cells, decisions);
-          --working;
-        });
-      for (; working != 0; std::this_thread::sleep_for(std::chrono::milliseconds(5))) report();
-    }
-    if (failure_) std::rethrow_exception(failure_);
-    return decisions;
+    working_ = threads;
   }
 
-  /// Asks the caller whether to go on. Only the caller's own thread does so.
-  void report()
-  {
-    if (!stopped_ && options_.progress && !options_.progress(done_, total_)) stopped_ = true;
-  }
-
-private:
-  static constexpr std::size_t chunk = 64; // cells between reports
-
-  void require_going()
-  {
-    if (threads_ == 1) report();
-    if (stopped_) throw Cancelled("exact decision: stopped on request");
-  }
-
-  void work(Decider& decider, const std::vector<Cell<D>>& cells, std::vector<Cell_decision<D>>& decisions)
+  /// Decides cells until none is left or it is stopped. \param ask  called at each checkpoint; `false` stops.
+  template <class Ask>
+  void work(std::size_t member, const Ask& ask)
   {
     try {
-      for (std::size_t first = next_.fetch_add(chunk); first < cells.size(); first = next_.fetch_add(chunk)) {
+      if (!deciders_[member])
+        deciders_[member].emplace(make_decider_([this, ask] {
+          if (!ask()) stopped_ = true;
+          require_going();
+        }));
+      for (std::size_t first = next_.fetch_add(chunk); first < cells_.size(); first = next_.fetch_add(chunk)) {
+        if (!ask()) stopped_ = true;
         require_going();
-        for (std::size_t k = first; k < std::min(first + chunk, cells.size()); ++k) {
-          decisions[k] = decider.decide(cells[k]);
-          decisions[k].witness = std::monostate{}; // a raster keeps none
-          ++done_;
-        }
+        for (std::size_t k = first; k < std::min(first + chunk, cells_.size()); ++k) decide(*deciders_[member], k);
       }
     } catch (const Cancelled&) {
       stopped_ = true;
     } catch (...) {
-      const std::lock_guard lock(failure_mutex_);
+      const std::lock_guard lock(mutex_);
       failure_ = std::current_exception();
       stopped_ = true;
+    }
+    const std::lock_guard lock(mutex_);
+    --working_;
+    is_idle_.notify_all();
+  }
+
+  /// Waits until all threads are done, at most for some time; whether they are.
+  bool wait_for(std::chrono::milliseconds time)
+  {
+    std::unique_lock lock(mutex_);
+    return is_idle_.wait_for(lock, time, [&] { return working_ == 0; });
+  }
+
+  /// What is decided so far. \throw what a thread has thrown.
+  [[nodiscard]] std::vector<Cell_decision<D>> decisions()
+  {
+    const std::lock_guard lock(mutex_);
+    if (failure_) std::rethrow_exception(failure_);
+    std::vector<Cell_decision<D>> result;
+    for (std::size_t k = 0; k < cells_.size(); ++k)
+      result.push_back(is_decided_[k] ? std::move(decisions_[k]) : undecided());
+    return result;
+  }
+
+  [[nodiscard]] static Cell_decision<D> undecided()
+  {
+    return {Verdict::unknown, Rung::floats, {}, "stopped on request before the cell was decided"};
+  }
+
+  void stop() { stopped_ = true; }
+  [[nodiscard]] bool is_stopped() const { return stopped_; }
+  [[nodiscard]] std::uint64_t done() const { return done_; }
+
+  static constexpr std::size_t chunk = 64; // cells between reports
+
+private:
+  void require_going() const
+  {
+    if (stopped_) throw Cancelled("exact decision: stopped on request");
+  }
+
+  void decide(Decider& decider, std::size_t k)
+  {
+    decisions_[k] = decider.decide(cells_[k]);
+    decisions_[k].witness = std::monostate{}; // a raster keeps none
+    is_decided_[k] = true;
+    ++done_;
+  }
+
+  Make_decider make_decider_;
+  std::atomic<std::uint64_t> done_;
+  std::vector<std::optional<Decider>> deciders_; ///< made by their threads, when first needed
+  std::vector<Cell<D>> cells_;
+  std::vector<Cell_decision<D>> decisions_;
+  std::unique_ptr<std::atomic<bool>[]> is_decided_;
+  std::atomic<std::size_t> next_ = 0;
+  std::atomic<bool> stopped_ = false;
+  std::mutex mutex_; ///< of what follows
+  std::condition_variable is_idle_;
+  unsigned working_ = 0;
+  std::exception_ptr failure_;
+};
+
+/// \brief Decides cells with one decider for each thread, so that none is shared. The verdicts do not depend on the
+/// number of threads.
+/// \param make_decider  gives, for a checkpoint, an object with `decide(cell)`. It refers to nothing: with
+///        `options.patience` a thread may outlive the crew.
+template <std::size_t D, class Make_decider>
+class Cell_crew
+{
+public:
+  Cell_crew(const Make_decider& make_decider, const Ideal_raster_options& options, std::uint64_t done,
+            std::uint64_t total)
+      : options_(options), total_(total),
+        threads_(options.threads != 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency())),
+        work_(std::make_shared<Work>(make_decider, done, threads_))
+  {}
+
+  [[nodiscard]] std::vector<Cell_decision<D>> decide(const std::vector<Cell<D>>& cells)
+  {
+    if (work_->is_stopped()) return std::vector<Cell_decision<D>>(cells.size(), Work::undecided());
+    const unsigned threads = cells.size() <= Work::chunk ? 1 : threads_;
+    work_->begin(cells, threads);
+    if (threads_ == 1 && !options_.patience)
+      work_->work(0, [this] { return report(); });
+    else
+      work_in_threads(threads);
+    return work_->decisions();
+  }
+
+  /// Asks the caller whether to go on. Only the caller's own thread does so.
+  bool report()
+  {
+    if (!work_->is_stopped() && options_.progress && !options_.progress(work_->done(), total_)) work_->stop();
+    return !work_->is_stopped();
+  }
+
+private:
+  using Work = Crew_work<D, Make_decider>;
+
+  void work_in_threads(unsigned number)
+  {
+    constexpr auto moment = std::chrono::milliseconds(5);
+    std::vector<std::jthread> threads; // joined if anything throws
+    for (unsigned k = 0; k < number; ++k)
+      threads.emplace_back([work = work_, k] { work->work(k, [] { return true; }); });
+    try {
+      bool is_done = false;
+      do is_done = work_->wait_for(moment);
+      while (!is_done && report());
+      if (!is_done && options_.patience && !work_->wait_for(*options_.patience))
+        for (auto& thread : threads) thread.detach();
+    } catch (...) { // thrown by the callback
+      work_->stop();
+      throw;
     }
   }
 
   const Ideal_raster_options& options_;
-  std::atomic<std::uint64_t> done_;
   std::uint64_t total_;
   unsigned threads_;
-  std::vector<Decider> deciders_;
-  std::atomic<std::size_t> next_ = 0;
-  std::atomic<bool> stopped_ = false;
-  std::mutex failure_mutex_;
-  std::exception_ptr failure_;
+  std::shared_ptr<Work> work_;
 };
 
 /// \brief Writes down decisions: who decided what, why not, and for each cell if that is asked for.

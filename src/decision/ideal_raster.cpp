@@ -6,6 +6,8 @@
 #include "Zero_set.h"
 #include "corners.h"
 #include "decide_cells.h"
+#include "recheck.h"
+#include "within_budget.h"
 
 #include <corral/decision/ideal_raster.h>
 #include <corral/number/Mpfr_interval.h>
@@ -24,6 +26,7 @@ struct Cell_decider<D>::State
   State(const Polynomial<Rational, D>& f, const Grid<D>& the_grid, const Checkpoint& checkpoint, Witnesses witnesses)
       : grid(the_grid), free(square_free_part(f)),
         form(exact::dense_power_form(exact::in_grid_coordinates(free, the_grid))),
+        has_few_terms(free.terms().size() * worth_moving < exact::dense_size(free)),
         zeros([g = free] { return g; }, checkpoint, witnesses)
   {}
 
@@ -74,9 +77,14 @@ struct Cell_decider<D>::State
                        [](const Integer& c) { return mpz_sizeinbase(c.get_mpz_t(), 2) > 1024; });
   }
 
+  /// The dense coefficients for each term up to which it is cheaper to move all to a cell than to look at the corners
+  /// first.
+  static constexpr std::size_t worth_moving = 32;
+
   Grid<D> grid;
   Polynomial<Integer, D> free;
   exact::Tiled_form<D> form;
+  bool has_few_terms;
   exact::Interval_rung<Outward_interval, D> doubles{60};
   exact::Interval_rung<Mpfr_interval, D> mpfr{128};
   exact::Zero_set<D> zeros;
@@ -106,23 +114,58 @@ const Polynomial<Integer, D>& Cell_decider<D>::square_free() const
 template <std::size_t D>
 Cell_decision<D> Cell_decider<D>::decide(const Cell<D>& cell)
 {
-  const auto& power = state_->form.on_cell(cell);
   const auto box = state_->grid.cell_box(cell);
+  if (state_->has_few_terms)
+    if (const auto corners = exact::corner_signs_of_terms(state_->free, box); corners.common() == 0)
+      return {Verdict::hit, Rung::integers, exact::corner_witness(corners, box), {}};
+  const auto& power = state_->form.on_cell(cell);
   const auto corners = exact::corner_signs_of_powers(power);
   if (corners.common() == 0) return {Verdict::hit, Rung::integers, exact::corner_witness(corners, box), {}};
   if (auto decision = state_->decide_by_intervals(power, corners.common(), box)) return *decision;
   auto form = power;
   exact::to_bernstein(form);
-  return state_->zeros.decide(form, box);
+  return exact::within_budget<D>([&] { return state_->zeros.decide(form, box); });
 }
+
+namespace {
+
+/// Decides cells by exact integers and algebra alone.
+template <std::size_t D>
+class Integer_decider
+{
+public:
+  Integer_decider(const Polynomial<Integer, D>& free, const Grid<D>& grid, const Checkpoint& checkpoint)
+      : grid_(grid), form_(exact::dense_power_form(exact::in_grid_coordinates(free, grid))),
+        zeros_(std::make_unique<exact::Zero_set<D>>([free] { return free; }, checkpoint, Witnesses::simple))
+  {}
+
+  [[nodiscard]] Cell_decision<D> decide(const Cell<D>& cell)
+  {
+    return exact::within_budget<D>([&] { return zeros_->decide(exact::on_cell(form_, cell), grid_.cell_box(cell)); });
+  }
+
+private:
+  Grid<D> grid_;
+  exact::Bernstein_form<D> form_; ///< power coefficients in grid coordinates
+  std::unique_ptr<exact::Zero_set<D>> zeros_;
+};
+
+} // namespace
 
 template <std::size_t D>
 Ideal_raster<D> ideal_raster(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Cell_set<D>& candidates,
                              const Ideal_raster_options& options)
 {
-  return exact::decide_cells(candidates, options, [&](const Checkpoint& checkpoint) {
+  auto raster = exact::decide_cells(candidates, options, [f, grid](const Checkpoint& checkpoint) {
     return Cell_decider<D>(f, grid, checkpoint, Witnesses::simple);
   });
+  if (options.recheck) {
+    const auto free = square_free_part(f);
+    raster.rechecked = exact::recheck(raster, {free}, grid, options, [free, grid](const Checkpoint& checkpoint) {
+      return Integer_decider<D>(free, grid, checkpoint);
+    });
+  }
+  return raster;
 }
 
 template class Cell_decider<1>;

@@ -2,6 +2,8 @@
 #include "../algebra/require_nonzero.h"
 #include "Common_zeros.h"
 #include "decide_cells.h"
+#include "recheck.h"
+#include "within_budget.h"
 
 #include <corral/decision/ideal_system.h>
 #include <corral/errors.h>
@@ -51,16 +53,23 @@ Cell_decision<D> System_decider<D>::decide(const Cell<D>& cell)
   for (const auto& form : state_->forms)
     if (exact::sign_pattern(exact::on_cell(form, cell)).closed() != 0)
       return {Verdict::empty, Rung::integers, Bounded_away{}, {}};
-  return state_->zeros.decide(state_->grid.cell_box(cell));
+  return exact::within_budget<D>([&] { return state_->zeros.decide(state_->grid.cell_box(cell)); });
 }
 
 template <std::size_t D>
 Ideal_raster<D> ideal_raster(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
                              const Cell_set<D>& candidates, const Ideal_raster_options& options)
 {
-  return exact::decide_cells(candidates, options, [&](const Checkpoint& checkpoint) {
+  const auto make_decider = [system, grid](const Checkpoint& checkpoint) {
     return System_decider<D>(system, grid, checkpoint, Witnesses::simple);
-  });
+  };
+  auto raster = exact::decide_cells(candidates, options, make_decider);
+  if (options.recheck) { // a system's decider uses no floats
+    std::vector<Polynomial<Integer, D>> integers;
+    for (const auto& f : system) integers.push_back(integer_primitive(f));
+    raster.rechecked = exact::recheck(raster, integers, grid, options, make_decider);
+  }
+  return raster;
 }
 
 template class System_decider<2>;

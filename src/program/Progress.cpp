@@ -2,46 +2,27 @@
 #include "Progress.h"
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <unistd.h>
 
 namespace corral::program {
-
-namespace {
-
-volatile std::sig_atomic_t caught = 0; // the one thing that a signal handler may write
-
-extern "C" void remember(int signal) { caught = signal; }
-
-} // namespace
-
-void install_signal_handlers()
-{
-  struct sigaction action = {};
-  action.sa_handler = remember;
-  action.sa_flags = static_cast<int>(SA_RESETHAND); // a second Ctrl-C ends the program at once
-  ::sigaction(SIGINT, &action, nullptr);
-  ::sigaction(SIGTERM, &action, nullptr);
-  std::signal(SIGXFSZ, SIG_IGN); // so that a write beyond the limit fails and is reported
-}
-
-int interrupted_by() { return caught; }
 
 Progress::Progress(std::string what) : what_(std::move(what)), is_terminal_(::isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress()
 {
   if (is_shown_) std::fputs("\r\033[K", stderr);
+  bar_is_shown(false);
 }
 
 bool Progress::operator()(double done)
 {
-  if (caught != 0) return false;
+  if (interrupted_by() != 0) return false;
   const auto now = Clock::now();
   if (!is_terminal_ || now < next_) return true;
   next_ = now + std::chrono::milliseconds(100);
   is_shown_ = true;
+  bar_is_shown(true);
   constexpr int width = 40;
   const int full = static_cast<int>(width * std::clamp(done, 0.0, 1.0));
   const std::string bar =

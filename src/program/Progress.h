@@ -2,17 +2,13 @@
 #ifndef CORRAL_PROGRAM_PROGRESS_H
 #define CORRAL_PROGRAM_PROGRESS_H
 
+#include "stopping.h"
+
 #include <chrono>
 #include <string>
 #include <utility>
 
 namespace corral::program {
-
-/// Makes Ctrl-C and a polite kill ask the running work to stop, and a full disk an error instead of a crash.
-void install_signal_handlers();
-
-/// The signal that asked to stop, or 0.
-[[nodiscard]] int interrupted_by();
 
 /// \brief A bar on standard error, if that is a terminal and the work has lasted over a second.
 class Progress

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <system_error>
 
 namespace corral::program {
 
@@ -23,6 +24,21 @@ void require_endings(const std::vector<std::string>& paths, std::initializer_lis
   for (const auto& path : paths)
     if (std::none_of(endings.begin(), endings.end(), [&](const char* ending) { return has_ending(path, ending); }))
       throw Invalid_input("output: '" + path + "' has no known ending; expected one of " + known);
+}
+
+void require_outputs_are_no_inputs(const std::vector<std::string>& outputs, const std::vector<std::string>& arguments,
+                                   const std::vector<std::string>& inputs)
+{
+  auto all = inputs;
+  for (const auto& argument : arguments)
+    if (argument.starts_with('@') && argument != "@-") all.push_back(argument.substr(1));
+  for (const auto& output : outputs)
+    for (const auto& input : all) {
+      std::error_code none_of_these_exists;
+      if (output == input || std::filesystem::equivalent(output, input, none_of_these_exists))
+        throw Invalid_input("output: '" + output + "' is the file that '" + input
+                            + "' is read from; expected another one");
+    }
 }
 
 void flush_standard_output()

@@ -14,6 +14,10 @@ namespace corral::program {
 /// \throw Invalid_input that lists the endings if one of the names has none of them.
 void require_endings(const std::vector<std::string>& paths, std::initializer_list<const char*> endings);
 
+/// \throw Invalid_input if one of the files to write is also read: FILE of an argument `@FILE`, or a file of `inputs`.
+void require_outputs_are_no_inputs(const std::vector<std::string>& outputs, const std::vector<std::string>& arguments,
+                                   const std::vector<std::string>& inputs = {});
+
 /// Sends off what was printed. \throw Output_error if any of it could not be written.
 void flush_standard_output();
 

@@ -4,9 +4,9 @@
 #include "Progress.h"
 #include "commands.h"
 #include "files.h"
+#include "one_line.h"
 
-#include <algorithm>
-#include <csignal>
+#include <cstdlib>
 #include <iostream>
 #include <new>
 #include <string>
@@ -18,19 +18,10 @@ namespace {
 
 enum Exit : int { done = 0, failed = 1, bad_usage = 2 };
 
-// One line of printable characters, however strange or long the input that it quotes.
-std::string one_line(std::string text)
-{
-  constexpr std::size_t longest = 600;
-  if (text.size() > longest) text.replace(longest, std::string::npos, "...");
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-  return text;
-}
-
 int complain(const std::string& message, Exit code)
 {
   std::cerr << "corral: " << one_line(message) << '\n';
+  say_no_more();
   return code;
 }
 
@@ -96,7 +87,9 @@ int execute(CLI::App& app, int argc, char** argv)
     code = found.get_exit_code();
   }
   flush_standard_output();
-  return interrupted_by() != 0 ? 128 + interrupted_by() : code; // a command may keep what it has proved
+  if (interrupted_by() == 0) return code;
+  complain("interrupted; what was proved by then is kept", failed);
+  return 128 + interrupted_by();
 }
 
 int run(int argc, char** argv)
@@ -135,5 +128,8 @@ int run(int argc, char** argv)
 int main(int argc, char** argv)
 {
   corral::program::install_signal_handlers();
-  return corral::program::run(argc, argv);
+  corral::program::install_memory_functions();
+  const int code = corral::program::run(argc, argv);
+  if (corral::program::interrupted_by() != 0) std::_Exit(code); // a thread may still be at work on what is dropped
+  return code;
 }

@@ -488,4 +488,62 @@ TEST(Ideal_raster, counts_the_rung_that_decided)
   EXPECT_GT(total(narrow.empty, Rung::mpfr), 0U);
 }
 
+/// The verdicts of all cells, unless that takes more than so many steps, each of which asks whether to go on.
+template <std::size_t D>
+Ideal_raster<D> decide_within(int steps, const std::string& text, const Rational_interval& side, std::uint32_t cells)
+{
+  constexpr std::array<const char*, 3> names = {"x", "y", "z"};
+  std::array<std::string, D> variables;
+  std::copy_n(names.begin(), D, variables.begin());
+  Rational_box<D> box;
+  box.fill(side);
+  Resolution<D> resolution;
+  resolution.fill(cells);
+  Ideal_raster_options options;
+  options.progress = [&](std::uint64_t, std::uint64_t) { return steps-- > 0; };
+  return ideal_raster(parse_polynomial<D>(text, variables), Grid<D>(box, resolution), all_cells<D>(resolution),
+                      options);
+}
+
+// The gradient vanishes along the whole surface s = 0 of s^2 + r: no subdivision and no outline would end soon.
+TEST(Ideal_raster, near_misses_along_a_surface_are_seen_at_once)
+{
+  for (const auto* const text : {"((x^2+y^2-z)*(x+y-z+1/3))^2+1/10^9", "(x^2+y^2+z^2-1)^2+1/10^8"}) {
+    const auto raster = decide_within<3>(4000, text, {-1, 1}, 8);
+    EXPECT_EQ(raster.cells.plotted(), 0U) << text;
+    EXPECT_GT(raster.rungs.empty[static_cast<std::size_t>(Rung::algebra)], 0U) << text;
+  }
+}
+
+std::size_t allocations = 0; // of numbers
+void* allocate(std::size_t size)
+{
+  ++allocations;
+  return std::malloc(size);
+}
+void* reallocate(void* memory, std::size_t, std::size_t size) { return std::realloc(memory, size); }
+void release(void* memory, std::size_t) { std::free(memory); }
+
+// 132651 coefficients, of which four are not zero.
+TEST(Ideal_raster, few_terms_of_high_degree_are_decided_by_their_terms)
+{
+  const Rational_interval side(-1, 1);
+  const Grid<3> grid({side, side, side}, {32, 32, 32});
+  Cell_decider<3> decider(parse_polynomial<3>("x^50 + y^50 + z^50 - 1", {"x", "y", "z"}), grid);
+  mp_set_memory_functions(allocate, reallocate, release);
+  const auto decision = decider.decide({15, 15, 31});
+  mp_set_memory_functions(nullptr, nullptr, nullptr);
+  EXPECT_EQ(decision.verdict, Verdict::hit);
+  EXPECT_GT(allocations, 0U);
+  EXPECT_LT(allocations, 10'000U);
+}
+
+TEST(Ideal_raster, refuses_more_coefficients_than_memory_holds)
+{
+  const Rational_interval side(-1, 1);
+  const Grid<3> grid({side, side, side}, {4, 4, 4});
+  EXPECT_THROW(Cell_decider<3>(parse_polynomial<3>("x^1000*y^1000*z^1000 + x - y", {"x", "y", "z"}), grid),
+               Budget_exceeded);
+}
+
 } // namespace

@@ -3,6 +3,7 @@
 #include "decision/Interval_rung.h"
 #include "decision/Zero_set.h"
 #include "decision/corners.h"
+#include "decision/within_budget.h"
 #include "rounds.h"
 
 #include <corral/decision/ideal_raster.h>
@@ -227,6 +228,18 @@ TEST(Interval_rung, plots_degree_sixty)
   const Grid<2> grid(around, {16, 16});
   EXPECT_EQ(ideal_cells("x^60+y^60-1", grid), cells_of_the_squircle(grid, 60));
   EXPECT_NE(ideal_cells("x^60+y^60-1", grid), cells_of_the_squircle(grid, 2)); // negative control
+}
+
+TEST(Within_budget, a_cell_that_is_too_heavy_is_unknown_with_the_reason)
+{
+  const auto decision =
+      exact::within_budget<2>([]() -> Cell_decision<2> { throw Budget_exceeded("a witness of 70000 digits"); });
+  EXPECT_EQ(decision.verdict, Verdict::unknown);
+  EXPECT_EQ(decision.reason, "a witness of 70000 digits");
+  EXPECT_EQ(exact::within_budget<2>([] {
+              return Cell_decision<2>{Verdict::hit, Rung::integers, {}, {}};
+            }).verdict,
+            Verdict::hit);
 }
 
 } // namespace

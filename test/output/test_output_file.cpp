@@ -65,6 +65,43 @@ TEST_F(Output_files, vanish_when_the_writer_throws)
   EXPECT_EQ(files(), 0U);
 }
 
+TEST_F(Output_files, of_one_run_are_all_written_or_none)
+{
+  const auto good = [](std::ostream& out) { out << "text"; };
+  const auto bad = [](std::ostream& out) { out.setstate(std::ios::failbit); };
+  write_whole_files({{folder_ / "a.txt", good}, {folder_ / "b.txt", good}, {folder_ / "a.txt", good}});
+  EXPECT_EQ(content(folder_ / "a.txt"), "text");
+  EXPECT_EQ(content(folder_ / "b.txt"), "text");
+  EXPECT_EQ(files(), 2U);
+  EXPECT_THROW(write_whole_files({{folder_ / "c.txt", good}, {folder_ / "d.txt", bad}}), Output_error);
+  EXPECT_THROW(write_whole_files({{folder_ / "c.txt", good}, {folder_ / "no" / "d.txt", good}}), Output_error);
+  EXPECT_THROW(write_whole_files({{folder_ / "c.txt", good},
+                                  {folder_ / "d.txt", [](std::ostream&) { throw std::runtime_error("no more"); }}}),
+               std::runtime_error);
+  EXPECT_EQ(files(), 2U);
+}
+
+TEST_F(Output_files, that_are_unfinished_can_be_removed_by_a_handler)
+{
+  remove_unfinished_files(); // there are none
+  {
+    std::vector<std::unique_ptr<Output_file>> open;
+    for (int k = 0; k < 100; ++k) {
+      open.push_back(std::make_unique<Output_file>(folder_ / ("f" + std::to_string(k))));
+      open.back()->stream() << "half" << std::flush;
+    }
+    Output_file done(folder_ / "done.txt");
+    done.fill([](std::ostream& out) { out << "text"; });
+    done.commit();
+    EXPECT_EQ(files(), 101U);
+    remove_unfinished_files();
+    EXPECT_EQ(files(), 1U);
+    EXPECT_EQ(content(folder_ / "done.txt"), "text");
+  }
+  remove_unfinished_files(); // nothing is noted any more
+  EXPECT_EQ(files(), 1U);
+}
+
 TEST_F(Output_files, follow_symbolic_links_and_keep_permissions_usual)
 {
   fs::create_symlink(folder_ / "real.txt", folder_ / "link.txt");

@@ -53,11 +53,18 @@ Program_run run_program(const std::vector<std::string>& arguments, const Program
   const pid_t child = ::fork();
   if (child < 0) throw std::runtime_error("cannot fork");
   if (child == 0) become_program(arguments, limits, out, err);
-  if (limits.interrupt_after.count() != 0) {
-    std::this_thread::sleep_for(limits.interrupt_after);
-    ::kill(child, SIGINT);
-  }
   int status = 0;
+  if (limits.interrupt_when || limits.interrupt_after.count() != 0) {
+    std::this_thread::sleep_for(limits.interrupt_after);
+    bool has_ended = false;
+    while (limits.interrupt_when && !limits.interrupt_when() && !has_ended) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      siginfo_t end = {};
+      has_ended =
+          ::waitid(P_PID, static_cast<id_t>(child), &end, WEXITED | WNOHANG | WNOWAIT) == 0 && end.si_pid == child;
+    }
+    for (const int signal : limits.signals) ::kill(child, signal);
+  }
   ::waitpid(child, &status, 0);
   Program_run run;
   run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

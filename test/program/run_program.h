@@ -3,7 +3,9 @@
 #define CORRAL_TEST_PROGRAM_RUN_PROGRAM_H
 
 #include <chrono>
+#include <csignal>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,7 +26,9 @@ struct Program_limits
   std::size_t file_size = 0;                    ///< bytes of any file written; 0: no limit
   std::string out_file;                         ///< standard output goes there, if not empty
   std::filesystem::path folder{};               ///< where it runs
-  std::chrono::milliseconds interrupt_after{0}; ///< then comes a Ctrl-C; 0: never
+  std::chrono::milliseconds interrupt_after{0}; ///< then comes a signal; 0: never
+  std::function<bool()> interrupt_when{};       ///< or once this is true
+  std::vector<int> signals{SIGINT};             ///< that come then, one after the other
 };
 
 /// Runs the program and waits for its end.

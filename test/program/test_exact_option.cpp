@@ -141,6 +141,20 @@ TEST(Exact_option, gives_the_same_for_any_number_of_threads)
   EXPECT_NE(run("2", "-1:1,-1:11/10"), one);
 }
 
+TEST(Recheck_option, decides_every_cell_a_second_time)
+{
+  const json curve = localize({"y^2 - x^3 + x", "--exact", "--recheck"}, "-2:2,-2:2", "64", "summary");
+  EXPECT_EQ(curve["rechecked"], 4096);
+  expect_all_decided(curve);
+  EXPECT_EQ(localize({"y^2 - x^3 + x", "--exact"}, "-2:2,-2:2", "64", "summary").contains("rechecked"), false);
+  const json surface =
+      localize({"x^2 + y^2 - z^2", "--exact", "--recheck", "--threads", "2"}, "-1:1,-1:1,-1:1", "9", "summary");
+  EXPECT_EQ(surface["rechecked"], 729);
+  const json points = localize({"x^2 + y^2 - 1", "x - y", "--exact", "--recheck"}, "-1:1,-1:1", "5", "summary");
+  EXPECT_EQ(points["rechecked"], 25);
+  EXPECT_EQ(run_program({"localize", "x - y", "--box", "0:1,0:1", "--resolution", "4", "--recheck"}).exit_code, 2);
+}
+
 // Degree 60 with an isolated irrational point: minutes of work, stopped in a cell or in its resultant.
 const std::string long_work = "(x^30 + y^30 - 1)^2 + (x - y)^60";
 

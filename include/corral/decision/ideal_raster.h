@@ -9,11 +9,14 @@
 #include <corral/polynomial/Polynomial.h>
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -61,10 +64,32 @@ struct Ideal_raster_options
   /// and the remaining cells stay unknown.
   /// Only the calling thread calls it.
   std::function<bool(std::uint64_t done, std::uint64_t total)> progress{};
+  /// How long a stop waits for a step of algebra that is under way. Without a value it waits for its end. With one, all
+  /// work is done in threads of its own; one that has not stopped by then is left to itself, and what it finds is
+  /// dropped. It holds its own copy of everything and ends with its step; a process that exits does not wait for it.
+  std::optional<std::chrono::milliseconds> patience{};
   /// Threads that decide cells, 0 for one a processor. The result does not depend on it.
   unsigned threads = 1;
   /// Whether to say of each plotted cell who decided it.
   bool keep_rungs = false;
+  /// Whether to decide every cell of the grid again without floats, those that the localisation called `empty` or `hit`
+  /// included. `progress` then counts the cells of this second pass. Costs in proportion to the cells near zeros.
+  bool recheck = false;
+};
+
+/// \brief Two computations that both prove what they say contradict each other, so that one of them is wrong.
+///
+/// Nothing is repaired: no verdict of the run can be trusted. The message names the first cell and both verdicts.
+struct Contradiction : std::logic_error
+{
+  Contradiction(const std::string& message, std::vector<std::uint32_t> where, Verdict first, Verdict second,
+                std::uint64_t number)
+      : std::logic_error(message), cell(std::move(where)), claimed(first), exact(second), cells(number)
+  {}
+  std::vector<std::uint32_t> cell; ///< the first one in the order of the index
+  Verdict claimed;                 ///< what was said of it
+  Verdict exact;                   ///< what exact arithmetic alone says
+  std::uint64_t cells;             ///< how many contradict
 };
 
 /// Who decided a plotted cell, or why it is unknown.
@@ -91,13 +116,14 @@ struct Ideal_raster
   Rung_counts rungs;                            ///< of the cells that were given as plotted
   std::map<std::string, std::uint64_t> reasons; ///< why cells are unknown, with their number
   std::vector<Decided_cell<D>> decided;         ///< every plotted cell, sorted, if `keep_rungs` was given
+  double rechecked = 0; ///< cells of the grid decided a second time, all without contradiction; exact up to 2^53
 };
 
 /// \brief Decides every unknown cell of `candidates` exactly.
 /// \param candidates  a localisation of f on this grid: every cell with a zero is plotted, and what is called hit is
 ///        proved. Cells that it calls empty or hit are taken over.
 /// \pre `candidates` is a certified localisation (`is_guaranteed`), else the result is worth no more than it is.
-/// \throw Invalid_input if `f` is zero.
+/// \throw Invalid_input if `f` is zero. Contradiction if `recheck` is asked for and finds one.
 /// \par Complexity  See `Cell_decider::decide`; memory for the cells and for one polynomial's resultants.
 template <std::size_t D>
 [[nodiscard]] Ideal_raster<D> ideal_raster(const Polynomial<Rational, D>& f, const Grid<D>& grid,

@@ -88,10 +88,13 @@ void bounders_command(const Bounders_arguments& arguments)
   Audit_settings settings = arguments.settings;
   complete(settings);
   const Bounder_report report = audit_all(settings, arguments.fault_cases);
+  std::vector<File_to_write> files;
   for (const auto& path : arguments.outputs)
-    write_whole_file(path, [&](std::ostream& out) {
-      (has_ending(path, ".json") ? write_bounder_json : write_bounder_html)(out, report);
-    });
+    files.push_back({path, [&](std::ostream& out) {
+                       (has_ending(path, ".json") ? write_bounder_json : write_bounder_html)(out, report);
+                     }});
+  write_whole_files(files);
+  if (!files.empty()) files_are_written();
   (arguments.format == "json" ? write_bounder_json : write_bounder_text)(std::cout, report);
   if (!is_sound(report)) throw CLI::RuntimeError(1);
 }

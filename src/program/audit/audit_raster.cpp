@@ -52,13 +52,16 @@ Ideal_raster<D> truth(const std::vector<Polynomial<Rational, D>>& system, const 
 template <std::size_t D>
 void report(const Raster_arguments& arguments, const Raster_audit<D>& audit, Evidence_finder<D>& evidence)
 {
+  std::vector<File_to_write> files;
   for (const auto& path : arguments.outputs)
-    write_whole_file(path, [&](std::ostream& out) {
-      if (has_ending(path, ".json"))
-        write_raster_json(out, audit, evidence);
-      else
-        write_raster_html(out, audit, evidence, arguments.reporting);
-    });
+    files.push_back({path, [&](std::ostream& out) {
+                       if (has_ending(path, ".json"))
+                         write_raster_json(out, audit, evidence);
+                       else
+                         write_raster_html(out, audit, evidence, arguments.reporting);
+                     }});
+  write_whole_files(files);
+  if (!files.empty()) files_are_written();
   if (arguments.format == "json")
     write_raster_json(std::cout, audit, evidence);
   else
@@ -95,6 +98,7 @@ void audit_in(const Raster_arguments& arguments, const Grid_problem<D>& problem)
 void raster_command(const Raster_arguments& arguments)
 {
   require_endings(arguments.outputs, {".json", ".html"});
+  require_outputs_are_no_inputs(arguments.outputs, arguments.problem.polynomials, {arguments.cells});
   with_problem(arguments.problem, [&]<std::size_t D>(const Grid_problem<D>& problem) {
     if constexpr (D <= 3)
       audit_in(arguments, problem);

@@ -2,6 +2,7 @@
 #include "../Grid_problem.h"
 #include "../Progress.h"
 #include "../commands.h"
+#include "../files.h"
 #include "../whole_number.h"
 
 #include <corral/certificate/certificate.h>
@@ -43,14 +44,17 @@ void certify_in(const Certify_arguments& arguments, const Grid_problem<D>& probl
   options.max_boxes = arguments.max_boxes;
   options.progress = [&](double done) { return progress(done); };
   const auto certificate = certify(problem.system, problem.grid, options);
+  if (interrupted_by() != 0) keep_what_is_proved();
   std::string bytes = to_json(certificate, variables);
   if (arguments.output.ends_with(".gz")) bytes = gzip(bytes);
   write_whole_file(arguments.output, [&](std::ostream& stream) { stream << bytes; });
+  files_are_written();
   print_summary(certificate, arguments.output, bytes.size());
 }
 
 void certify_command(const Certify_arguments& arguments)
 {
+  require_outputs_are_no_inputs({arguments.output}, arguments.problem.polynomials);
   if (!arguments.output.ends_with(".json") && !arguments.output.ends_with(".json.gz"))
     throw Invalid_input("certify: output file '" + arguments.output + "'; expected a name ending in .json or .json.gz");
   with_problem(arguments.problem, [&]<std::size_t D>(const Grid_problem<D>& problem) {

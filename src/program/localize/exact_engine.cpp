@@ -13,6 +13,8 @@ Ideal_raster<D> decide_exactly(const std::vector<Polynomial<Rational, D>>& syste
   Ideal_raster_options options;
   options.threads = settings.threads;
   options.keep_rungs = settings.keep_rungs;
+  options.recheck = settings.recheck;
+  options.patience = std::chrono::milliseconds(250);
   if (settings.progress)
     options.progress = [&](std::uint64_t done, std::uint64_t total) {
       return settings.progress(total == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(total));

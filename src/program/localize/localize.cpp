@@ -2,6 +2,7 @@
 #include "../Grid_problem.h"
 #include "../Progress.h"
 #include "../commands.h"
+#include "../files.h"
 #include "../method_options.h"
 #include "../whole_number.h"
 #include "engine.h"
@@ -26,6 +27,7 @@ struct Localize_arguments
   bool names_engine = false;
   std::vector<std::string> paper_options; // given options that only the paper's engine heeds
   bool exact = false;
+  bool recheck = false;
   bool rungs = false; ///< a column of CSV
   unsigned repeat = 1;
   std::vector<std::string> outputs;
@@ -70,9 +72,17 @@ Facts facts(const std::vector<std::string>& polynomials, const Localize_settings
 }
 
 // What the exact decision says of the cells that the engine plotted.
-Facts exact_facts(const Rung_counts& rungs, const std::map<std::string, std::uint64_t>& reasons)
+template <std::size_t D>
+Facts exact_facts(const Ideal_raster<D>& raster, bool recheck)
 {
+  const auto& [cells, rungs, reasons, decided, rechecked] = raster;
   Facts list{{"exact", true}};
+  if (recheck) {
+    if (rechecked < 0x1p63)
+      list.emplace_back("rechecked", static_cast<std::uint64_t>(rechecked));
+    else
+      list.emplace_back("rechecked", rechecked);
+  }
   for (std::size_t rung = 0; rung < rung_count; ++rung) {
     list.emplace_back("hit_by_" + std::string(rung_names[rung]), rungs.hit[rung]);
     if (rung > 0) list.emplace_back("empty_by_" + std::string(rung_names[rung]), rungs.empty[rung]);
@@ -157,12 +167,12 @@ Outcome<D> run_once(const std::vector<Polynomial<Rational, D>>& system, const Gr
   if (!answer.is_guaranteed)
     throw Invalid_input("exact: number type " + method.number + " may have lost cells; expected a guaranteed one");
   progress.begins("exact decision");
-  auto raster =
-      decide_exactly<D>(system, grid, outcome.cells, {settings.progress, settings.threads, writes_rungs(arguments)});
+  auto raster = decide_exactly<D>(system, grid, outcome.cells,
+                                  {settings.progress, settings.threads, writes_rungs(arguments), arguments.recheck});
+  const Facts more = exact_facts(raster, arguments.recheck);
+  outcome.facts.insert(outcome.facts.end(), more.begin(), more.end());
   outcome.cells = std::move(raster.cells);
   outcome.decided = std::move(raster.decided);
-  const Facts more = exact_facts(raster.rungs, raster.reasons);
-  outcome.facts.insert(outcome.facts.end(), more.begin(), more.end());
   return outcome;
 }
 
@@ -196,6 +206,7 @@ void localize_in(const Localize_arguments& arguments, const Grid_problem<D>& pro
       throw Invalid_input("localize: polynomial " + std::to_string(k + 1) + " is zero, so that every point is a zero; "
                           + "expected a polynomial that is not");
   const Outcome<D> outcome = compute<D>(system, grid, texts, arguments);
+  if (interrupted_by() != 0) keep_what_is_proved();
 
   Output_options options;
   options.variables = variables;
@@ -204,12 +215,19 @@ void localize_in(const Localize_arguments& arguments, const Grid_problem<D>& pro
   options.cell_notes.in_csv = arguments.rungs;
   options.size = arguments.size;
   options.colouring = arguments.plain ? Colouring::plotted : Colouring::by_verdict;
-  for (const auto& path : arguments.outputs) write_file(path, grid, outcome.cells, options);
+  std::vector<File_to_write> files;
+  for (const auto& path : arguments.outputs)
+    files.push_back({path, [&, write = writer_for<D>(path).write](std::ostream& out) {
+                       write(out, problem.grid, outcome.cells, options);
+                     }});
+  write_whole_files(files);
+  if (!files.empty()) files_are_written();
   print(arguments.format, grid, outcome.cells, options);
 }
 
 void localize_command(const Localize_arguments& arguments)
 {
+  require_outputs_are_no_inputs(arguments.outputs, arguments.problem.polynomials);
   with_problem(arguments.problem, [&](const auto& problem) { localize_in(arguments, problem); });
 }
 
@@ -241,6 +259,10 @@ void add_engine_options(CLI::App& command, Localize_arguments& arguments)
       ->capture_default_str();
   command.add_flag("--exact", arguments.exact,
                    "decide every cell exactly: one polynomial in 1 to 3 variables, or two in 2 or 3");
+  command
+      .add_flag("--recheck", arguments.recheck,
+                "decide every cell again without floats; a contradiction ends the run with exit code 1")
+      ->needs("--exact");
   command.add_flag("--sample", settings.sample, "look for a change of sign at the corners of a cell");
   command.add_flag("--refine", settings.refine, "cut each remaining cell once more before it is plotted");
   command.add_flag("--plus", arguments.plus, "--sample and --refine: the paper's RT++ and MAA++");
