@@ -6,9 +6,11 @@ target_sources(corral PRIVATE
   localization/fast/Fast_plan.cpp
   localization/fast/Member.cpp
   localization/fast/Monomial_shape.cpp
+  localization/fast/Pulse.cpp
   localization/fast/Root_seed.cpp
   localization/fast/Rough_nodes.cpp
   localization/fast/Runner.cpp
+  localization/fast/Search.cpp
   localization/fast/System_run.cpp
   localization/fast/Term_bounds.cpp
   localization/fast/Term_form.cpp

@@ -38,6 +38,8 @@ Flat_terms square_free_part(const Flat_terms& f, const Flint_functions& flint)
   return result;
 }
 
+bool is_surely_square_free(const Flat_terms& f) { return is_shown_square_free(f, 1); }
+
 Flat_terms square_free_part(const Flat_terms& f) { return square_free_part(f, Flint_functions()); }
 
 } // namespace corral::detail

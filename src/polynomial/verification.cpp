@@ -40,9 +40,9 @@ Modular_polynomial slope_of(const Prime_field& field, const Modular_polynomial& 
 
 /// Whether one of the rounds shows it. \param shows  of a field and a point.
 template <class Shows>
-bool some_round(std::size_t dimension, const Shows& shows)
+bool some_round(std::size_t dimension, const Shows& shows, int rounds = Test_point::max_rounds)
 {
-  for (int round = 0; round < Test_point::max_rounds; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     Test_point source(round);
     std::vector<Element> point(dimension);
     for (Element& x : point) x = source.next();
@@ -117,19 +117,25 @@ void require_coprime(const Flat_terms& f, const Flat_terms& g)
   }
 }
 
-void require_square_free(const Flat_terms& f)
+bool is_shown_square_free(const Flat_terms& f, int rounds)
 {
   for (std::size_t axis = 0; axis < f.dimension; ++axis) {
     const std::size_t n = degree(f, axis);
     if (n < 2) continue;
-    const bool is_shown = some_round(f.dimension, [&](const Prime_field& field, const std::vector<Element>& point) {
+    const auto shows = [&](const Prime_field& field, const std::vector<Element>& point) {
       auto a = image_on_line(field, f, axis, point);
       return a.size() == n + 1 && modular_gcd(field, a, slope_of(field, a)).size() == 1;
-    });
-    if (!is_shown)
-      throw Wrong_answer("algebra: a polynomial of " + std::to_string(f.coefficients.size())
-                         + " terms, which by FLINT's answer has no repeated factor, seems to have one");
+    };
+    if (!some_round(f.dimension, shows, rounds)) return false;
   }
+  return true;
+}
+
+void require_square_free(const Flat_terms& f)
+{
+  if (!is_shown_square_free(f, Test_point::max_rounds))
+    throw Wrong_answer("algebra: a polynomial of " + std::to_string(f.coefficients.size())
+                       + " terms, which by FLINT's answer has no repeated factor, seems to have one");
 }
 
 } // namespace corral::detail

@@ -62,6 +62,11 @@ private:
 /// \brief \throw Wrong_answer unless f and g are shown to have no common factor but constants. \pre Neither is zero.
 void require_coprime(const Flat_terms& f, const Flat_terms& g);
 
+/// \brief Whether f is shown to have no repeated factor but constants, by a number of looks. \pre f is not zero.
+///
+/// One look suffices but for rare chance if f has none.
+[[nodiscard]] bool is_shown_square_free(const Flat_terms& f, int rounds);
+
 /// \brief \throw Wrong_answer unless f is shown to have no repeated factor but constants. \pre f is not zero.
 void require_square_free(const Flat_terms& f);
 

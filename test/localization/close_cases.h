@@ -4,8 +4,8 @@
 
 #include "random_cases.h"
 
-#include <corral/polynomial/arithmetic.h>
 #include <corral/audit/Trouble_source.h>
+#include <corral/polynomial/arithmetic.h>
 
 #include <array>
 #include <cmath>

@@ -43,9 +43,10 @@ fast::Harvest<D> handed_over(const Polynomial<Rational, D>& f, const Grid<D>& gr
 {
   const Nearest_scope environment;
   const fast::Plan<D> plan(fast::Monomial_shape<D>(f), grid);
-  const Seed<D> root = fast::root_seed(plan, f, grid);
+  fast::Pulse pulse({});
+  const Seed<D> root = fast::root_seed(plan, f, grid, pulse);
   fast::Harvest<D> harvest;
-  fast::make_subdivider(plan)->run(plan.root_level, {&root, 1}, 0, harvest);
+  fast::make_subdivider(plan, pulse)->run(plan.root_level, {&root, 1}, 0, harvest);
   return harvest;
 }
 
@@ -228,6 +229,7 @@ Judgement judge_seeds(std::uint64_t number, std::uint64_t least, Quantum quantum
   resolution.fill(2 * cells);
   fast::Plan<D> plan(fast::Monomial_shape<D>(monomials), Grid<D>(box, resolution));
   plan.tells_rough = plan.tells_hidden = false;
+  fast::Pulse pulse({});
   Judgement judgement;
   for (int round = 0; judgement.close < least && judgement.faults == 0 && round < 4000; ++round) {
     std::vector<Polynomial<Rational, D>> polynomials;
@@ -242,7 +244,7 @@ Judgement judge_seeds(std::uint64_t number, std::uint64_t least, Quantum quantum
       if (quantum == Quantum::false_one) seeds.back().quantum = 1;
     }
     fast::Harvest<D> harvest;
-    fast::make_subdivider(plan)->run(plan.root_level - 1, seeds, 0, harvest);
+    fast::make_subdivider(plan, pulse)->run(plan.root_level - 1, seeds, 0, harvest);
     std::vector<Cell_set<D>> found(seeds.size());
     for (auto block : harvest.blocks.sorted()) {
       std::size_t k = 0;

@@ -52,13 +52,14 @@ Cell_set<D> run(const Polynomial<Rational, D>& f, const Grid<D>& grid, bool with
 {
   fast::Plan<D> plan(fast::Monomial_shape<D>(f), grid);
   plan.tells_hidden = plan.tells_rough = false;
-  auto root = fast::root_seed(plan, f, grid);
+  fast::Pulse pulse({});
+  auto root = fast::root_seed(plan, f, grid, pulse);
   if (!with_remainder) {
     plan.rounding = fast::Rounding{};
     root.remainder = 0;
   }
   fast::Harvest<D> harvest;
-  fast::make_subdivider(plan)->run(plan.root_level, {&root, 1}, 0, harvest);
+  fast::make_subdivider(plan, pulse)->run(plan.root_level, {&root, 1}, 0, harvest);
   Cell_set<D> cells;
   harvest.blocks.visit([&](const Cell_block<D>& block) { cells.append(block); });
   cells.finish();

@@ -48,6 +48,9 @@ template <std::size_t D>
 /// The sign is kept. \throw Budget_exceeded; Wrong_answer.
 [[nodiscard]] Flat_terms square_free_part(const Flat_terms& f);
 
+/// Whether the image of f on one line along each axis, modulo a prime, has no repeated factor.
+[[nodiscard]] bool is_surely_square_free(const Flat_terms& f);
+
 } // namespace detail
 
 /// \brief The product of the distinct irreducible factors of `f`, as a primitive integer polynomial:
@@ -72,6 +75,15 @@ template <std::size_t D>
 [[nodiscard]] Polynomial<Integer, D> square_free_part(const Polynomial<Rational, D>& f)
 {
   return square_free_part(integer_primitive(f));
+}
+
+/// \brief A quick test: `true` proves that `f` has no repeated factor; `false` says that it has one, or, by rare
+/// chance, nothing. \pre f is not zero. \par Complexity  A product for each term and axis modulo a prime below 2^62,
+/// and n^2 for degree n in one variable. \par Reference  doc/exact.md, section 8.
+template <std::size_t D>
+[[nodiscard]] bool is_surely_square_free(const Polynomial<Rational, D>& f)
+{
+  return detail::is_surely_square_free(detail::flat_terms(integer_form(f).numerator));
 }
 
 } // namespace corral

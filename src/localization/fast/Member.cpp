@@ -31,19 +31,19 @@ template <std::size_t D>
 class Dense_member final : public Member<D>
 {
 public:
-  Dense_member(const Polynomial<Rational, D>& f, const Grid<D>& grid, bool refines)
-      : f_(f), grid_(grid), plan_(Monomial_shape<D>(f), grid)
+  Dense_member(const Polynomial<Rational, D>& f, const Grid<D>& grid, bool refines, Pulse& pulse)
+      : f_(f), grid_(grid), pulse_(pulse), plan_(Monomial_shape<D>(f), grid)
   {
     plan_.tells_rough = refines && Rough_nodes<D>::can_decide(f, grid);
   }
 
   [[nodiscard]] const Plan<D>& plan() const override { return plan_; }
-  [[nodiscard]] Seed<D> root() const override { return root_seed(plan_, f_, grid_); }
+  [[nodiscard]] Seed<D> root() const override { return root_seed(plan_, f_, grid_, pulse_); }
 
   [[nodiscard]] Harvest<D> children(unsigned level, std::vector<Open_node<D>>&& nodes) override
   {
     Harvest<D> found;
-    subdivide<D>(plan_, level, seeds_of(nodes, Open_node<D>::smooth), level - 1, found);
+    subdivide<D>(plan_, pulse_, level, seeds_of(nodes, Open_node<D>::smooth), level - 1, found);
     return found;
   }
 
@@ -51,7 +51,7 @@ public:
   {
     auto rough = seeds_of(nodes, Open_node<D>::rough);
     Harvest<D> found;
-    subdivide<D>(plan_, level, seeds_of(nodes, Open_node<D>::smooth), 0, found);
+    subdivide<D>(plan_, pulse_, level, seeds_of(nodes, Open_node<D>::smooth), 0, found);
     std::move(found.rough.begin(), found.rough.end(), std::back_inserter(rough)); // the root, if it is near the leaves
     if (rough.empty()) return found;
     Harvest<D> more = rough_nodes().decide(rough);
@@ -63,12 +63,13 @@ public:
 private:
   const Rough_nodes<D>& rough_nodes()
   {
-    std::call_once(once_, [&] { rough_ = std::make_unique<Rough_nodes<D>>(f_, grid_, plan_); });
+    std::call_once(once_, [&] { rough_ = std::make_unique<Rough_nodes<D>>(f_, grid_, plan_, pulse_); });
     return *rough_;
   }
 
   const Polynomial<Rational, D>& f_;
   const Grid<D>& grid_;
+  Pulse& pulse_;
   Plan<D> plan_;
   std::once_flag once_;
   std::unique_ptr<Rough_nodes<D>> rough_; // since few polynomials have rough nodes
@@ -79,7 +80,7 @@ template <std::size_t D>
 class Sparse_member final : public Member<D>
 {
 public:
-  Sparse_member(const Polynomial<Rational, D>& f, const Grid<D>& grid) : nodes_(f, grid) {}
+  Sparse_member(const Polynomial<Rational, D>& f, const Grid<D>& grid, Pulse& pulse) : nodes_(f, grid, pulse) {}
 
   [[nodiscard]] const Plan<D>& plan() const override { return nodes_.plan(); }
   [[nodiscard]] Seed<D> root() const override { return {}; }
@@ -107,10 +108,11 @@ private:
 } // namespace
 
 template <std::size_t D>
-std::unique_ptr<Member<D>> Member<D>::make(const Polynomial<Rational, D>& f, const Grid<D>& grid, bool refines)
+std::unique_ptr<Member<D>> Member<D>::make(const Polynomial<Rational, D>& f, const Grid<D>& grid, bool refines,
+                                           Pulse& pulse)
 {
-  if (Term_form<D>::suits(f, grid)) return std::make_unique<Sparse_member<D>>(f, grid);
-  return std::make_unique<Dense_member<D>>(f, grid, refines);
+  if (Term_form<D>::suits(f, grid)) return std::make_unique<Sparse_member<D>>(f, grid, pulse);
+  return std::make_unique<Dense_member<D>>(f, grid, refines, pulse);
 }
 
 template class Member<2>;

@@ -3,6 +3,7 @@
 #define CORRAL_SRC_LOCALIZATION_FAST_MEMBER_H
 
 #include "Fast_plan.h"
+#include "Pulse.h"
 #include "common_nodes.h"
 
 #include <corral/localization/Grid.h>
@@ -19,10 +20,10 @@ template <std::size_t D>
 class Member
 {
 public:
-  /// The polynomial as a Taylor form or by its terms, whichever suits it. \param refines  as for `localize_part`.
-  /// \pre `f` and `grid` outlive the member.
-  [[nodiscard]] static std::unique_ptr<Member> make(const Polynomial<Rational, D>& f, const Grid<D>& grid,
-                                                    bool refines);
+  /// The polynomial as a Taylor form or by its terms, whichever suits it. \param refines  as of a `Search`.
+  /// \pre The other arguments outlive the member.
+  [[nodiscard]] static std::unique_ptr<Member> make(const Polynomial<Rational, D>& f, const Grid<D>& grid, bool refines,
+                                                    Pulse& pulse);
 
   virtual ~Member() = default;
 

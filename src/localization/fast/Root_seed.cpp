@@ -58,12 +58,14 @@ std::vector<Integer> integer_coefficients(const Polynomial<Rational, D>& f, cons
 
 /// Replaces x by x + offset along one axis, by Horner's triangle on every line.
 template <std::size_t D>
-void shift(std::vector<Integer>& c, const Monomial_shape<D>& shape, std::size_t axis, const Integer& offset)
+void shift(std::vector<Integer>& c, const Monomial_shape<D>& shape, std::size_t axis, const Integer& offset,
+           Pulse& pulse)
 {
   if (offset == 0) return;
   const auto& lines = shape.classes().front().lines[axis];
   for (const auto& line : lines.lines)
-    for (std::uint32_t low = 0; low < line.degree; ++low)
+    for (std::uint32_t low = 0; low < line.degree; ++low) {
+      if (low % 64 == 0) pulse.ask();
       for (std::uint32_t k = line.degree; k-- > low;) {
         Integer& to = c[lines.index[line.first + k]];
         const Integer& from = c[lines.index[line.first + k + 1]];
@@ -72,6 +74,7 @@ void shift(std::vector<Integer>& c, const Monomial_shape<D>& shape, std::size_t 
         else
           mpz_addmul(to.get_mpz_t(), from.get_mpz_t(), offset.get_mpz_t());
       }
+    }
 }
 
 /// The coefficients of the root, divided by a power of two above the largest and rounded.
@@ -108,7 +111,7 @@ Seed<D> rounded(const std::vector<Integer>& c, const Rounding& rounding)
 } // namespace
 
 template <std::size_t D>
-Seed<D> root_seed(const Plan<D>& plan, const Polynomial<Rational, D>& f, const Grid<D>& grid)
+Seed<D> root_seed(const Plan<D>& plan, const Polynomial<Rational, D>& f, const Grid<D>& grid, Pulse& pulse)
 {
   const Monomial_shape<D>& shape = plan.shape;
   std::vector<Integer> c = integer_coefficients(f, shape);
@@ -120,7 +123,8 @@ Seed<D> root_seed(const Plan<D>& plan, const Polynomial<Rational, D>& f, const G
       for (std::size_t k = 0; k < c.size(); ++k)
         if (c[k] != 0) c[k] *= factor[degree - shape.exponents()[k][axis]];
     }
-    shift(c, shape, axis, map.offset);
+    shift(c, shape, axis, map.offset, pulse);
+    pulse.ask();
     if (map.scale != 1) {
       const auto factor = powers(map.scale, degree);
       for (std::size_t k = 0; k < c.size(); ++k)
@@ -130,7 +134,7 @@ Seed<D> root_seed(const Plan<D>& plan, const Polynomial<Rational, D>& f, const G
   return rounded<D>(c, plan.rounding);
 }
 
-template Seed<2> root_seed<2>(const Plan<2>&, const Polynomial<Rational, 2>&, const Grid<2>&);
-template Seed<3> root_seed<3>(const Plan<3>&, const Polynomial<Rational, 3>&, const Grid<3>&);
+template Seed<2> root_seed<2>(const Plan<2>&, const Polynomial<Rational, 2>&, const Grid<2>&, Pulse&);
+template Seed<3> root_seed<3>(const Plan<3>&, const Polynomial<Rational, 3>&, const Grid<3>&, Pulse&);
 
 } // namespace corral::fast

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Rough_nodes.h"
 
-#include "Runner.h"
+#include "Search.h"
 #include "grid_part.h"
 
 #include <algorithm>
@@ -55,13 +55,13 @@ bool Rough_nodes<D>::can_decide(const Polynomial<Rational, D>& f, const Grid<D>&
 }
 
 template <std::size_t D>
-Rough_nodes<D>::Rough_nodes(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Plan<D>& plan)
+Rough_nodes<D>::Rough_nodes(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Plan<D>& plan, Pulse& pulse)
     : level_(plan.rough_level)
 {
   if (Term_form<D>::has_few_terms(f))
-    by_terms_.emplace(f, grid);
+    by_terms_.emplace(f, grid, pulse);
   else
-    twice_.emplace(f, grid, plan);
+    twice_.emplace(f, grid, plan, pulse);
 }
 
 template <std::size_t D>
@@ -74,8 +74,9 @@ Harvest<D> Rough_nodes<D>::decide(Task<D> seeds) const
 }
 
 template <std::size_t D>
-Rough_nodes<D>::Twice::Twice(const Polynomial<Rational, D>& polynomial, const Grid<D>& grid, const Plan<D>& given)
-    : f(polynomial), plan(given), fine_grid(refined(grid)), fine_plan(plan.shape, fine_grid)
+Rough_nodes<D>::Twice::Twice(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Plan<D>& given,
+                             Pulse& for_all)
+    : pulse(for_all), system{f}, plan(given), fine_grid(refined(grid)), fine_plan(plan.shape, fine_grid)
 {
   plan.tells_rough = plan.tells_hidden = fine_plan.tells_rough = false;
   plan.cell_budget = std::numeric_limits<std::uint64_t>::max(); // counted once both are merged
@@ -85,19 +86,18 @@ template <std::size_t D>
 Harvest<D> Rough_nodes<D>::Twice::decide(Task<D> seeds) const
 {
   Harvest<D> coarse;
-  subdivide(plan, plan.rough_level, seeds, 0, coarse);
+  subdivide(plan, pulse, plan.rough_level, seeds, 0, coarse);
   std::vector<Seed<D>> fine_seeds(seeds.begin(), seeds.end());
   for (auto& seed : fine_seeds)
     for (auto& line : seed.corner) line *= block_side<D>;
   Harvest<D> fine;
-  subdivide<D>(fine_plan, plan.rough_level + (fine_plan.root_level - plan.root_level), fine_seeds, 0, fine);
-  for (const auto& node : fine.hidden) {
-    const auto found = localize_part(f, part(fine_grid, fine_plan, node), {}, false);
-    fine.nodes += found.counters.bounds;
-    append_part(found.cells, node.corner, fine.blocks);
-  }
+  subdivide<D>(fine_plan, pulse, plan.rough_level + (fine_plan.root_level - plan.root_level), fine_seeds, 0, fine);
+  std::vector<Grid_part<D>> parts;
+  for (const auto& node : fine.hidden) parts.push_back(part_of(fine_plan, node));
   fine.hidden.clear();
-  fine.nodes += coarse.nodes;
+  Search<D> rest{system, pulse};
+  rest.refines = false; // else finer and finer grids without end
+  fine.nodes += coarse.nodes + search_parts(rest, fine_grid, std::move(parts), 0, fine.blocks);
   fine.blocks = merged(coarse.blocks, fine.blocks);
   return fine;
 }

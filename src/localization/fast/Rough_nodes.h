@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace corral::fast {
 
@@ -22,8 +23,8 @@ public:
   /// Whether the terms are few or there is a grid that is fine enough.
   [[nodiscard]] static bool can_decide(const Polynomial<Rational, D>& f, const Grid<D>& grid);
 
-  /// \param plan  of f on the grid. \pre can_decide(f, grid); `f` outlives this object.
-  Rough_nodes(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Plan<D>& plan);
+  /// \param plan  of f on the grid. \pre can_decide(f, grid); the pulse outlives this object.
+  Rough_nodes(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Plan<D>& plan, Pulse& pulse);
 
   /// What is found in some nodes. \pre Those of one class stand side by side.
   [[nodiscard]] Harvest<D> decide(Task<D> seeds) const;
@@ -32,10 +33,11 @@ private:
   /// What it takes to decide them twice.
   struct Twice
   {
-    Twice(const Polynomial<Rational, D>& polynomial, const Grid<D>& grid, const Plan<D>& given);
+    Twice(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Plan<D>& given, Pulse& for_all);
     [[nodiscard]] Harvest<D> decide(Task<D> seeds) const;
 
-    const Polynomial<Rational, D>& f;
+    Pulse& pulse;
+    std::vector<Polynomial<Rational, D>> system; ///< f alone
     Plan<D> plan;
     Grid<D> fine_grid;
     Plan<D> fine_plan;

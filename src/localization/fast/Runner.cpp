@@ -4,18 +4,12 @@
 #include "Fast_plan.h"
 #include "Root_seed.h"
 #include "Rough_nodes.h"
-#include "System_run.h"
-#include "Term_form.h"
 #include "bands.h"
-#include "grid_part.h"
 #include "sorted_blocks.h"
 
-#include <corral/errors.h>
 #include <corral/number/Environment.h>
 
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <iterator>
@@ -47,62 +41,49 @@ template <std::size_t D>
 class Runner
 {
 public:
-  Runner(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Fast_options& options, bool refines)
-      : f_(f), grid_(grid), options_(options), threads_(thread_count(options.threads)),
-        plan_(Monomial_shape<D>(f), grid), subdividers_([this] { return make_subdivider(plan_); })
+  Runner(const Search<D>& what, const Grid<D>& grid, double share)
+      : what_(what), f_(what.system.front()), grid_(grid), share_(share), plan_(Monomial_shape<D>(f_), grid),
+        subdividers_([this] { return make_subdivider(plan_, what_.pulse); })
   {
-    plan_.cell_budget = options.cell_budget;
-    plan_.tells_rough = refines && Rough_nodes<D>::can_decide(f, grid);
+    plan_.cell_budget = what.cell_budget;
+    plan_.tells_rough = what.refines && Rough_nodes<D>::can_decide(f_, grid);
   }
 
-  Localization<D> run()
+  Found<D> run()
   {
-    return in_arena(threads_, [&] { return run_here(); });
+    return in_arena(what_.threads, [&] { return run_here(); });
   }
 
 private:
-  Localization<D> run_here()
+  Found<D> run_here()
   {
     const Nearest_scope environment;
-    const Seed<D> root = root_seed(plan_, f_, grid_);
+    const Seed<D> root = root_seed(plan_, f_, grid_, what_.pulse);
     const unsigned level = task_level(plan_);
     Harvest<D> top;
     subdividers_.local()->run(plan_.root_level, {&root, 1}, level, top);
     const Bands<D> bands(std::move(top.seeds));
-    lists_.resize(bands.tasks().size() + 1);
-    begin(bands.tasks().size());
+    const std::size_t tasks = bands.tasks().size();
+    lists_.resize(tasks + 1);
     collect(std::move(top), lists_.back(), 0);
-    in_parallel(bands.tasks().size(), [&](std::size_t t) {
+    in_parallel(what_.threads, tasks, [&](std::size_t t) {
       Harvest<D> found;
       subdividers_.local()->run(level, bands.tasks()[t], 0, found);
-      collect(std::move(found), lists_[t], 1);
+      collect(std::move(found), lists_[t], share_ / (2 * static_cast<double>(tasks)));
     });
-    Block_list<D> others = hidden_blocks();
+    if (!(rough_.empty() && found_.hidden.empty()) && what_.is_in_vain && what_.is_in_vain()) {
+      found_.was_in_vain = true;
+      return std::move(found_);
+    }
+    Block_list<D> others;
     decide_rough(others);
-    result_.cells.append(sorted(bands.bands()));
+    found_.cells.append(sorted(bands.bands()));
     if (others.size() > 0) {
-      others.visit([&](const Cell_block<D>& block) { result_.cells.append(block); });
-      result_.cells.finish();
+      others.visit([&](const Cell_block<D>& block) { found_.cells.append(block); });
+      found_.cells.finish();
     }
-    return std::move(result_);
-  }
-
-  /// Calls `some(k)` for k from 0 to `count`.
-  template <class Some>
-  void in_parallel(std::size_t count, const Some& some) const
-  {
-    if (threads_ == 1 || count < 2) {
-      for (std::size_t k = 0; k < count; ++k) some(k);
-      return;
-    }
-    const tbb::blocked_range<std::size_t> range(0, count);
-    tbb::parallel_for(
-        range,
-        [&](const auto& part) {
-          const Nearest_scope environment;
-          for (std::size_t k = part.begin(); k != part.end(); ++k) some(k);
-        },
-        tbb::simple_partitioner());
+    what_.pulse.advance(share_ - told_);
+    return std::move(found_);
   }
 
   /// What the tasks found. The last list is that of the top of the tree, which is empty if there are tasks.
@@ -115,32 +96,8 @@ private:
       for (std::size_t t = band.first; t < band.end; ++t) begin.back() += lists_[t].size();
     }
     std::vector<Cell_block<D>> blocks(begin.back());
-    in_parallel(bands.size(), [&](std::size_t b) {
+    in_parallel(what_.threads, bands.size(), [&](std::size_t b) {
       Block_sorter<D>().sort({lists_.data() + bands[b].first, lists_.data() + bands[b].end}, blocks.data() + begin[b]);
-    });
-    return blocks;
-  }
-
-  void begin(std::size_t tasks)
-  {
-    tasks_ = tasks;
-    done_ = 0;
-  }
-
-  /// Localises on the parts of the grid that hidden nodes cover.
-  [[nodiscard]] Block_list<D> hidden_blocks()
-  {
-    Block_list<D> blocks;
-    const auto nodes = std::exchange(hidden_, {});
-    begin(nodes.size());
-    in_parallel(nodes.size(), [&](std::size_t k) {
-      Fast_options options;
-      options.cell_budget = options_.cell_budget;
-      const auto found = localize_part(f_, part(grid_, plan_, nodes[k]), options, true);
-      Harvest<D> harvest;
-      harvest.nodes = found.counters.bounds;
-      append_part(found.cells, nodes[k].corner, harvest.blocks);
-      collect(std::move(harvest), blocks, 1);
     });
     return blocks;
   }
@@ -148,56 +105,54 @@ private:
   void decide_rough(Block_list<D>& blocks)
   {
     if (rough_.empty()) return;
-    const Rough_nodes<D> nodes(f_, grid_, plan_);
+    const Rough_nodes<D> nodes(f_, grid_, plan_, what_.pulse);
     auto seeds = std::exchange(rough_, {});
     std::sort(seeds.begin(), seeds.end(),
               [](const auto& a, const auto& b) { return std::tie(a.cut, a.corner) < std::tie(b.cut, b.corner); });
     const auto tasks = grouped<D>(seeds);
-    begin(tasks.size());
-    in_parallel(tasks.size(), [&](std::size_t t) { collect(nodes.decide(tasks[t]), blocks, 1); });
+    const double share = (share_ - told_) / static_cast<double>(tasks.size());
+    in_parallel(what_.threads, tasks.size(), [&](std::size_t t) { collect(nodes.decide(tasks[t]), blocks, share); });
   }
 
-  void collect(Harvest<D>&& harvest, Block_list<D>& blocks, std::size_t tasks)
+  /// \param share  the part of the whole work that is done by this.
+  void collect(Harvest<D>&& harvest, Block_list<D>& blocks, double share)
   {
-    const std::scoped_lock lock(mutex_);
-    result_.counters.bounds += harvest.nodes;
-    plotted_ += harvest.blocks.plotted();
-    if (plotted_ > options_.cell_budget) throw_over_budget(options_.cell_budget);
-    blocks.append(std::move(harvest.blocks));
-    hidden_.insert(hidden_.end(), harvest.hidden.begin(), harvest.hidden.end());
-    std::move(harvest.rough.begin(), harvest.rough.end(), std::back_inserter(rough_));
-    done_ += tasks;
-    const double part = tasks_ == 0 ? 1 : static_cast<double>(done_) / static_cast<double>(tasks_);
-    if (options_.progress && !options_.progress(part)) throw Cancelled("localize_fast: cancelled by the caller");
+    {
+      const std::scoped_lock lock(mutex_);
+      found_.nodes += harvest.nodes;
+      plotted_ += harvest.blocks.plotted();
+      if (plotted_ > what_.cell_budget) throw_over_budget(what_.cell_budget);
+      blocks.append(std::move(harvest.blocks));
+      for (const auto& node : harvest.hidden) found_.hidden.push_back(part_of(plan_, node));
+      std::move(harvest.rough.begin(), harvest.rough.end(), std::back_inserter(rough_));
+      told_ += share;
+    }
+    what_.pulse.advance(share);
   }
 
+  const Search<D>& what_;
   const Polynomial<Rational, D>& f_;
   const Grid<D>& grid_;
-  const Fast_options& options_;
-  unsigned threads_;
+  const double share_;
   Plan<D> plan_;
   tbb::enumerable_thread_specific<std::unique_ptr<Subdivider<D>>> subdividers_;
   std::vector<Block_list<D>> lists_; // by task what it found
   std::mutex mutex_;                 // guards what follows
-  Localization<D> result_;
+  Found<D> found_;
   std::uint64_t plotted_ = 0;
-  std::vector<Hidden_node<D>> hidden_;
   std::vector<Seed<D>> rough_;
-  std::size_t tasks_ = 0;
-  std::size_t done_ = 0;
+  double told_ = 0; // of the share, to the pulse
 };
 
 } // namespace
 
 template <std::size_t D>
-Localization<D> localize_part(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Fast_options& options,
-                              bool refines)
+Found<D> run_alone(const Search<D>& what, const Grid<D>& grid, double share)
 {
-  if (Term_form<D>::suits(f, grid)) return localize_system({f}, grid, options, refines);
-  return Runner<D>(f, grid, options, refines).run();
+  return Runner<D>(what, grid, share).run();
 }
 
-template Localization<2> localize_part<2>(const Polynomial<Rational, 2>&, const Grid<2>&, const Fast_options&, bool);
-template Localization<3> localize_part<3>(const Polynomial<Rational, 3>&, const Grid<3>&, const Fast_options&, bool);
+template Found<2> run_alone<2>(const Search<2>&, const Grid<2>&, double);
+template Found<3> run_alone<3>(const Search<3>&, const Grid<3>&, double);
 
 } // namespace corral::fast

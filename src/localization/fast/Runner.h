@@ -2,22 +2,18 @@
 #ifndef CORRAL_SRC_LOCALIZATION_FAST_RUNNER_H
 #define CORRAL_SRC_LOCALIZATION_FAST_RUNNER_H
 
-#include <corral/localization/localize_fast.h>
+#include "Search.h"
 
 #include <cstddef>
 
 namespace corral::fast {
 
-/// \brief Localises one polynomial on a grid, or on a part of one.
-/// \param refines  whether rough nodes are decided on a finer grid, too.
+/// `search` of one polynomial with a dense form. \pre It is alone in the system.
 template <std::size_t D>
-[[nodiscard]] Localization<D> localize_part(const Polynomial<Rational, D>& f, const Grid<D>& grid,
-                                            const Fast_options& options, bool refines);
+[[nodiscard]] Found<D> run_alone(const Search<D>& what, const Grid<D>& grid, double share);
 
-extern template Localization<2> localize_part<2>(const Polynomial<Rational, 2>&, const Grid<2>&, const Fast_options&,
-                                                 bool);
-extern template Localization<3> localize_part<3>(const Polynomial<Rational, 3>&, const Grid<3>&, const Fast_options&,
-                                                 bool);
+extern template Found<2> run_alone<2>(const Search<2>&, const Grid<2>&, double);
+extern template Found<3> run_alone<3>(const Search<3>&, const Grid<3>&, double);
 
 } // namespace corral::fast
 

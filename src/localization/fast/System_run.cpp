@@ -4,13 +4,9 @@
 #include "Fast_plan.h"
 #include "Member.h"
 #include "common_nodes.h"
-#include "grid_part.h"
 #include "tasks.h"
 
-#include <corral/errors.h>
 #include <corral/number/Environment.h>
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <bit>
@@ -27,22 +23,21 @@ template <std::size_t D>
 class System_run
 {
 public:
-  System_run(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid, const Fast_options& options,
-             bool refines)
-      : system_(system), grid_(grid), options_(options), threads_(thread_count(options.threads)), refines_(refines)
+  System_run(const Search<D>& what, const Grid<D>& grid) : what_(what)
   {
-    members_.reserve(system.size());
+    members_.reserve(what.system.size());
     const Nearest_scope environment;
-    for (const auto& f : system) members_.push_back(Member<D>::make(f, grid, refines));
+    for (const auto& f : what.system) members_.push_back(Member<D>::make(f, grid, what.refines, what.pulse));
   }
 
-  Localization<D> run()
+  /// \param share  of the whole work.
+  Found<D> run(double share)
   {
     Open_nodes<D> root;
     for (const auto& member : members_) root.push_back({{{}, Open_node<D>::smooth, member->root()}});
-    in_arena(threads_, [&] { descend(plan().root_level, std::move(root), 1); });
-    result_.cells.finish();
-    return std::move(result_);
+    in_arena(what_.threads, [&] { descend(plan().root_level, std::move(root), share); });
+    found_.cells.finish();
+    return std::move(found_);
   }
 
 private:
@@ -57,15 +52,9 @@ private:
     nodes = children(level, std::move(nodes));
     const auto hidden = take_hidden(nodes, level - 1);
     auto groups = cut(std::move(nodes));
-    const std::size_t count = groups.size() + hidden.size();
-    if (count == 0) return collect({}, 0, share);
-    share /= static_cast<double>(count);
-    in_parallel(count, [&](std::size_t k) {
-      if (k < groups.size())
-        descend(level - 1, std::move(groups[k]), share);
-      else
-        uncover(hidden[k - groups.size()], share);
-    });
+    collect({}, hidden, 0, groups.empty() ? share : 0);
+    share /= static_cast<double>(groups.size());
+    in_parallel(what_.threads, groups.size(), [&](std::size_t k) { descend(level - 1, std::move(groups[k]), share); });
   }
 
   [[nodiscard]] Open_nodes<D> children(unsigned level, Open_nodes<D> nodes)
@@ -77,7 +66,7 @@ private:
       bounds += found.nodes;
       nodes[p] = open_nodes(std::move(found));
     }
-    collect({}, bounds, 0);
+    collect({}, {}, bounds, 0);
     keep_common(nodes);
     return nodes;
   }
@@ -98,15 +87,6 @@ private:
     return groups;
   }
 
-  template <class Function>
-  void in_parallel(std::size_t count, const Function& function) const
-  {
-    if (threads_ > 1 && count > 1)
-      tbb::parallel_for(std::size_t{0}, count, function);
-    else
-      for (std::size_t k = 0; k < count; ++k) function(k);
-  }
-
   /// Decides the cells of some nodes.
   void decide(unsigned level, Open_nodes<D> nodes, double share)
   {
@@ -124,63 +104,40 @@ private:
     std::sort(hidden.begin(), hidden.end(), [](const auto& a, const auto& b) { return a.corner < b.corner; });
     const auto same = [](const auto& a, const auto& b) { return a.corner == b.corner; };
     hidden.erase(std::unique(hidden.begin(), hidden.end(), same), hidden.end());
-    share /= static_cast<double>(1 + hidden.size());
-    collect(common, bounds, share);
-    for (const auto& node : hidden) uncover(node, share);
+    collect(common, hidden, bounds, share);
   }
 
-  /// Localises on the part of the grid that is covered by a node which is hidden from some polynomial.
-  void uncover(const Hidden_node<D>& node, double share)
+  void collect(const Blocks& blocks, const std::vector<Hidden_node<D>>& hidden, std::uint64_t bounds, double share)
   {
-    Fast_options options{.threads = threads_, .cell_budget = options_.cell_budget, .progress = {}};
-    options.progress = [&, before = 0.0](double now) mutable {
-      collect({}, 0, share * (now - std::exchange(before, now)));
-      return true;
-    };
-    const auto found = localize_system(system_, part(grid_, plan(), node), options, refines_);
-    Block_list<D> blocks;
-    append_part(found.cells, node.corner, blocks);
-    collect(blocks.sorted(), found.counters.bounds, 0);
-  }
-
-  void collect(const Blocks& blocks, std::uint64_t bounds, double share)
-  {
-    const std::scoped_lock lock(mutex_);
-    result_.counters.bounds += bounds;
-    for (const auto& block : blocks) {
-      plotted_ += static_cast<unsigned>(std::popcount(block.plotted));
-      result_.cells.append(block);
+    {
+      const std::scoped_lock lock(mutex_);
+      found_.nodes += bounds;
+      for (const auto& block : blocks) {
+        plotted_ += static_cast<unsigned>(std::popcount(block.plotted));
+        found_.cells.append(block);
+      }
+      if (plotted_ > what_.cell_budget) throw_over_budget(what_.cell_budget);
+      for (const auto& node : hidden) found_.hidden.push_back(part_of(plan(), node));
     }
-    if (plotted_ > options_.cell_budget) throw_over_budget(options_.cell_budget);
-    done_ += share;
-    if (options_.progress && !options_.progress(std::min(done_, 1.0)))
-      throw Cancelled("localize_fast: cancelled by the caller");
+    what_.pulse.advance(share);
   }
 
-  const std::vector<Polynomial<Rational, D>>& system_;
-  const Grid<D>& grid_;
-  const Fast_options& options_;
-  unsigned threads_;
-  bool refines_;
+  const Search<D>& what_;
   std::vector<std::unique_ptr<Member<D>>> members_;
   std::mutex mutex_; // guards what follows
-  Localization<D> result_;
+  Found<D> found_;
   std::uint64_t plotted_ = 0;
-  double done_ = 0;
 };
 
 } // namespace
 
 template <std::size_t D>
-Localization<D> localize_system(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
-                                const Fast_options& options, bool refines)
+Found<D> run_system(const Search<D>& what, const Grid<D>& grid, double share)
 {
-  return System_run<D>(system, grid, options, refines).run();
+  return System_run<D>(what, grid).run(share);
 }
 
-template Localization<2> localize_system<2>(const std::vector<Polynomial<Rational, 2>>&, const Grid<2>&,
-                                            const Fast_options&, bool);
-template Localization<3> localize_system<3>(const std::vector<Polynomial<Rational, 3>>&, const Grid<3>&,
-                                            const Fast_options&, bool);
+template Found<2> run_system<2>(const Search<2>&, const Grid<2>&, double);
+template Found<3> run_system<3>(const Search<3>&, const Grid<3>&, double);
 
 } // namespace corral::fast

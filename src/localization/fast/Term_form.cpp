@@ -90,7 +90,9 @@ bool Term_form<D>::suits(const Polynomial<Rational, D>& f, const Grid<D>& grid)
 {
   if (!has_few_terms(f)) return false;
   const double bits = range_bits(f, grid);
-  if (bits > 900) return false; // values beyond doubles
+  // Values beyond doubles cannot be told from each other; but a dense form of such a size would be no help, either.
+  constexpr double most_coefficients = 1 << 16;
+  if (bits > 900) return most_divisors(f) > most_coefficients;
   // In nanoseconds, from measurements. A dense form has to be made anew in many nodes if rounding at the root hides f.
   const double roots = bits > 40 ? 50 : 1;
   const double dense = 16 * most_divisors(f) * f.total_degree() * roots;

@@ -15,8 +15,8 @@ class Term_walk
 public:
   using Node = Subdivision_node<D>;
 
-  Term_walk(const Plan<D>& plan, const Term_form<D>& form, const Grid_lines<D>& lines)
-      : plan_(plan), bounds_(form, lines, plan.tree)
+  Term_walk(const Plan<D>& plan, const Term_form<D>& form, const Grid_lines<D>& lines, Pulse& pulse)
+      : plan_(plan), pulse_(pulse), bounds_(form, lines, plan.tree)
   {}
 
   /// The children that are not dropped.
@@ -31,6 +31,7 @@ public:
   void leaf(const Node& node)
   {
     ++found_.nodes;
+    pulse_.ask();
     const auto form = bounds_.low_form(node);
     if (form.excludes_zero()) return;
     if (form.is_clear())
@@ -50,6 +51,7 @@ private:
       if ((existing >> k & 1) == 0) continue;
       const Node child = plan_.tree.child(node, k);
       ++found_.nodes;
+      pulse_.ask();
       if (!bounds_.excludes_zero(child)) function(child);
     }
   }
@@ -74,6 +76,7 @@ private:
   }
 
   const Plan<D>& plan_;
+  Pulse& pulse_;
   Term_bounds<D> bounds_;
   Harvest<D> found_;
 };
@@ -81,8 +84,9 @@ private:
 } // namespace
 
 template <std::size_t D>
-Term_nodes<D>::Term_nodes(const Polynomial<Rational, D>& f, const Grid<D>& grid)
-    : plan_(Monomial_shape<D>(Term_form<D>::model_monomials()), grid), form_(f, plan_.shape.exponents()), lines_(grid)
+Term_nodes<D>::Term_nodes(const Polynomial<Rational, D>& f, const Grid<D>& grid, Pulse& pulse)
+    : pulse_(pulse), plan_(Monomial_shape<D>(Term_form<D>::model_monomials()), grid), form_(f, plan_.shape.exponents()),
+      lines_(grid)
 {
   plan_.tells_rough = plan_.tells_hidden = false;
 }
@@ -90,7 +94,7 @@ Term_nodes<D>::Term_nodes(const Polynomial<Rational, D>& f, const Grid<D>& grid)
 template <std::size_t D>
 Harvest<D> Term_nodes<D>::children(unsigned level, const std::vector<Cell<D>>& corners) const
 {
-  Term_walk<D> walk(plan_, form_, lines_);
+  Term_walk<D> walk(plan_, form_, lines_, pulse_);
   for (const auto& corner : corners) walk.children({level, corner});
   return std::move(walk).harvest();
 }
@@ -98,11 +102,11 @@ Harvest<D> Term_nodes<D>::children(unsigned level, const std::vector<Cell<D>>& c
 template <std::size_t D>
 Harvest<D> Term_nodes<D>::decide(unsigned level, const std::vector<Cell<D>>& corners) const
 {
-  Term_walk<D> walk(plan_, form_, lines_);
+  Term_walk<D> walk(plan_, form_, lines_, pulse_);
   for (const auto& corner : corners) walk.leaf({level, corner});
   Harvest<D> found = std::move(walk).harvest();
   const auto models = std::exchange(found.seeds, {});
-  subdivide<D>(plan_, level, models, 0, found);
+  subdivide<D>(plan_, pulse_, level, models, 0, found);
   return found;
 }
 

@@ -3,6 +3,7 @@
 #define CORRAL_SRC_LOCALIZATION_FAST_TERM_NODES_H
 
 #include "Fast_plan.h"
+#include "Pulse.h"
 #include "Term_bounds.h"
 #include "Term_form.h"
 
@@ -22,7 +23,8 @@ template <std::size_t D>
 class Term_nodes
 {
 public:
-  Term_nodes(const Polynomial<Rational, D>& f, const Grid<D>& grid);
+  /// \param pulse  asked at every node; it outlives this object.
+  Term_nodes(const Polynomial<Rational, D>& f, const Grid<D>& grid, Pulse& pulse);
 
   /// The plan of the forms of low degree; its tree is that of the grid.
   [[nodiscard]] const Plan<D>& plan() const { return plan_; }
@@ -34,6 +36,7 @@ public:
   [[nodiscard]] Harvest<D> decide(unsigned level, const std::vector<Cell<D>>& corners) const;
 
 private:
+  Pulse& pulse_;
   Plan<D> plan_;
   Term_form<D> form_;
   Grid_lines<D> lines_;

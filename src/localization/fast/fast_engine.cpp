@@ -30,8 +30,8 @@ template <std::size_t D>
 class Worker final : public Subdivider<D>
 {
 public:
-  explicit Worker(const Plan<D>& plan)
-      : plan_(plan), cuts_(plan.shape.classes().size()), pools_((plan.root_level + 1) * cuts_),
+  Worker(const Plan<D>& plan, Pulse& pulse)
+      : plan_(plan), pulse_(pulse), cuts_(plan.shape.classes().size()), pools_((plan.root_level + 1) * cuts_),
         level_count_(plan.root_level + 1), tests_(plan), leaves_(plan)
   {
     const std::size_t rows = plan.shape.size() * batch;
@@ -44,6 +44,8 @@ public:
 private:
   using Cut = typename Monomial_shape<D>::Class;
   using Pool_row = typename Pool<D>::Row;
+
+  static constexpr std::size_t work_of_pulse = 20000; // coefficients of octets: the work of some milliseconds
 
   [[nodiscard]] const Cut& cut(std::size_t k) const { return plan_.shape.classes()[k]; }
   [[nodiscard]] Pool<D>& pool(unsigned level, std::size_t k) { return pools_[level * cuts_ + k]; }
@@ -61,6 +63,8 @@ private:
   void emit_seeds(unsigned level);
 
   const Plan<D>& plan_;
+  Pulse& pulse_;
+  std::size_t work_ = 0; // since the pulse was asked
   unsigned stop_level_ = 0;
   Harvest<D>* harvest_ = nullptr;
   Exact_limits exact_;
@@ -104,6 +108,10 @@ void Worker<D>::split(unsigned level, std::size_t k)
   const std::size_t taken = std::min(from.count, batch);
   from.count -= taken;
   level_count_[level] -= taken;
+  if ((work_ += cut(k).size) > work_of_pulse) {
+    work_ = 0;
+    pulse_.ask();
+  }
   valid_ = (1U << taken) - 1;
   if (taken < batch) // the other lanes compute with zeros
     for (std::size_t row = 0; row < Pool_row::coefficients + cut(k).size; ++row)
@@ -162,6 +170,7 @@ void Worker<D>::children(unsigned level, std::size_t k, const double* from)
   } else {
     if (!plan_.halves(level + 1, axis)) return children<axis + 1>(level, k, from);
     double* const to = stage_[axis + 1];
+    if (cut(k).size > work_of_pulse) pulse_.ask();
     shift_lines<false>(arithmetic_, cut(k).lines[axis], from, to);
     children<axis + 1>(level, k, to);
     const Octet lower = load(corner_[axis]);
@@ -307,8 +316,14 @@ void Worker<D>::run(unsigned level, std::span<const Seed<D>> seeds, unsigned sto
   while (next(level, k)) split(level, k);
 }
 
-std::unique_ptr<Subdivider<2>> make_worker_2(const Plan<2>& plan) { return std::make_unique<Worker<2>>(plan); }
-std::unique_ptr<Subdivider<3>> make_worker_3(const Plan<3>& plan) { return std::make_unique<Worker<3>>(plan); }
+std::unique_ptr<Subdivider<2>> make_worker_2(const Plan<2>& plan, Pulse& pulse)
+{
+  return std::make_unique<Worker<2>>(plan, pulse);
+}
+std::unique_ptr<Subdivider<3>> make_worker_3(const Plan<3>& plan, Pulse& pulse)
+{
+  return std::make_unique<Worker<3>>(plan, pulse);
+}
 
 } // namespace corral::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -320,15 +335,15 @@ HWY_EXPORT(make_worker_2);
 HWY_EXPORT(make_worker_3);
 
 template <>
-std::unique_ptr<Subdivider<2>> make_subdivider<2>(const Plan<2>& plan)
+std::unique_ptr<Subdivider<2>> make_subdivider<2>(const Plan<2>& plan, Pulse& pulse)
 {
-  return HWY_DYNAMIC_DISPATCH(make_worker_2)(plan);
+  return HWY_DYNAMIC_DISPATCH(make_worker_2)(plan, pulse);
 }
 
 template <>
-std::unique_ptr<Subdivider<3>> make_subdivider<3>(const Plan<3>& plan)
+std::unique_ptr<Subdivider<3>> make_subdivider<3>(const Plan<3>& plan, Pulse& pulse)
 {
-  return HWY_DYNAMIC_DISPATCH(make_worker_3)(plan);
+  return HWY_DYNAMIC_DISPATCH(make_worker_3)(plan, pulse);
 }
 
 } // namespace corral::fast

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <corral/localization/localize_fast.h>
 
-#include "Runner.h"
-#include "System_run.h"
+#include "Search.h"
+#include "Simplified.h"
+#include "tasks.h"
 
 #include <corral/errors.h>
 
@@ -15,6 +16,14 @@ template <std::size_t D>
 void refuse_zero(const Polynomial<Rational, D>& f)
 {
   if (f.is_zero()) throw Invalid_input("localize_fast: the polynomial is zero; expected one that is not");
+}
+
+/// A power of a polynomial that is nowhere found to change its sign leaves cells open. A look costs little beside that.
+template <std::size_t D>
+bool is_doubtful(const Cell_set<D>& cells)
+{
+  const auto hit = cells.hit();
+  return 8 * hit < 7 * cells.plotted();
 }
 
 template <std::size_t D, class Function>
@@ -33,7 +42,23 @@ template <std::size_t D>
 Localization<D> localize_fast(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Fast_options& options)
 {
   refuse_zero(f);
-  return timed<D>([&] { return fast::localize_part(f, grid, options, true); });
+  return timed<D>([&] {
+    fast::Simplified<D> simplified(f);
+    fast::Pulse pulse(options.progress);
+    fast::Search<D> what{{&simplified.polynomial(), 1}, pulse};
+    what.threads = fast::thread_count(options.threads);
+    what.cell_budget = options.cell_budget;
+    bool has_simpler = false;
+    what.is_in_vain = [&] { return has_simpler = simplified.has_simpler(); };
+    auto result = fast::search_all(what, grid);
+    if (!has_simpler && is_doubtful(result.cells)) has_simpler = simplified.has_simpler();
+    if (!has_simpler) return result;
+    what.system = {&simplified.polynomial(), 1};
+    what.is_in_vain = {};
+    auto better = fast::search_all(what, grid);
+    better.counters.bounds += result.counters.bounds;
+    return better;
+  });
 }
 
 template <std::size_t D>
@@ -43,7 +68,17 @@ Localization<D> localize_fast(const std::vector<Polynomial<Rational, D>>& system
   if (system.empty()) throw Invalid_input("localize_fast: the system is empty; expected at least one polynomial");
   for (const auto& f : system) refuse_zero(f);
   if (system.size() == 1) return localize_fast(system.front(), grid, options);
-  return timed<D>([&] { return fast::localize_system(system, grid, options, true); });
+  return timed<D>([&] {
+    std::vector<Polynomial<Rational, D>> simple;
+    for (const auto& f : system) {
+      fast::Simplified<D> simplified(f);
+      (void)simplified.has_simpler();
+      simple.push_back(simplified.polynomial());
+    }
+    fast::Pulse pulse(options.progress);
+    return fast::search_all<D>({simple, pulse, true, fast::thread_count(options.threads), options.cell_budget, {}},
+                               grid);
+  });
 }
 
 template Localization<2> localize_fast<2>(const Polynomial<Rational, 2>&, const Grid<2>&, const Fast_options&);

@@ -4,6 +4,10 @@
 
 #include "Subdivider.h"
 
+#include <corral/number/Environment.h>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -34,9 +38,10 @@ template <std::size_t D>
 
 /// Subdivides seeds of one level down to `stop_level`. \pre as `grouped`.
 template <std::size_t D>
-void subdivide(const Plan<D>& plan, unsigned level, Task<D> seeds, unsigned stop_level, Harvest<D>& harvest)
+void subdivide(const Plan<D>& plan, Pulse& pulse, unsigned level, Task<D> seeds, unsigned stop_level,
+               Harvest<D>& harvest)
 {
-  const auto subdivider = make_subdivider(plan);
+  const auto subdivider = make_subdivider(plan, pulse);
   for (const auto& task : grouped<D>(seeds)) subdivider->run(level, task, stop_level, harvest);
 }
 
@@ -46,6 +51,22 @@ void subdivide(const Plan<D>& plan, unsigned level, Task<D> seeds, unsigned stop
   if (asked == 1) return 1;
   static const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
   return asked == 0 ? processors : std::min(asked, processors);
+}
+
+/// Calls `function(k)` for k from 0 to `count`.
+template <class Function>
+void in_parallel(unsigned threads, std::size_t count, const Function& function)
+{
+  if (threads > 1 && count > 1)
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, count),
+        [&](const auto& range) {
+          const Nearest_scope environment;
+          for (std::size_t k = range.begin(); k != range.end(); ++k) function(k);
+        },
+        tbb::simple_partitioner());
+  else
+    for (std::size_t k = 0; k < count; ++k) function(k);
 }
 
 /// Calls `work` where parallel loops use this number of threads.
