@@ -123,10 +123,8 @@ bool cgal_hit(const Polynomial<Integer, 2>& g, const std::vector<Rational_box<2>
   for (const std::size_t axis : {0U, 1U})
     for (const auto& value : {cell[axis].lower(), cell[axis].upper()}) {
       const auto edge = exact::restriction<2>(g, axis, value);
-      Integer_polynomial p(edge.degree(0) + 1U);
-      for (const auto& term : edge.terms()) p[term.exponents[0]] = term.coefficient;
-      trim(p);
-      if (p.empty() || cgal_root_in(p, cell[1 - axis])) return true;
+      const auto p = integer_polynomial(transform<Rational>(edge, [](const Integer& c) { return Rational(c); }));
+      if (p.is_zero() || cgal_root_in(p, cell[1 - axis])) return true;
     }
   return std::any_of(extremes.begin(), extremes.end(), [&](const Rational_box<2>& box) {
     return cell[0].lower() < box[0].lower() && box[0].upper() < cell[0].upper() && cell[1].lower() < box[1].lower()

@@ -18,10 +18,11 @@ void refuse_zero(const Polynomial<Rational, D>& f)
 }
 
 template <std::size_t D, class Function>
-Localization<D> timed(const Function& function)
+Localization<D> timed(const Grid<D>& grid, const Function& function)
 {
   const auto start = std::chrono::steady_clock::now();
   Localization<D> result = function();
+  result.cells.set_grid(grid);
   result.is_guaranteed = true;
   result.counters.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
@@ -33,7 +34,7 @@ template <std::size_t D>
 Localization<D> localize_fast(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Fast_options& options)
 {
   refuse_zero(f);
-  return timed<D>([&] { return fast::localize_part(f, grid, options, true); });
+  return timed(grid, [&] { return fast::localize_part(f, grid, options, true); });
 }
 
 template <std::size_t D>
@@ -43,7 +44,7 @@ Localization<D> localize_fast(const std::vector<Polynomial<Rational, D>>& system
   if (system.empty()) throw Invalid_input("localize_fast: the system is empty; expected at least one polynomial");
   for (const auto& f : system) refuse_zero(f);
   if (system.size() == 1) return localize_fast(system.front(), grid, options);
-  return timed<D>([&] { return fast::localize_system(system, grid, options, true); });
+  return timed(grid, [&] { return fast::localize_system(system, grid, options, true); });
 }
 
 template Localization<2> localize_fast<2>(const Polynomial<Rational, 2>&, const Grid<2>&, const Fast_options&);
