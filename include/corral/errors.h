@@ -2,6 +2,8 @@
 #ifndef CORRAL_ERRORS_H
 #define CORRAL_ERRORS_H
 
+#include <corral/build_mode.h>
+
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -52,6 +54,9 @@ struct Output_error : std::runtime_error
 
 namespace detail {
 
+/// \throw Invalid_input always.
+[[noreturn]] inline void refuse_input(const char* complaint) { throw Invalid_input(complaint); }
+
 /// "1 side", "2 sides", for messages.
 [[nodiscard]] inline std::string quantity(std::size_t count, const std::string& noun)
 {
@@ -61,5 +66,15 @@ namespace detail {
 } // namespace detail
 
 } // namespace corral
+
+/// \def CORRAL_PRECONDITION(condition, complaint)
+/// Throws `Invalid_input` with the complaint unless the condition holds. For preconditions that are dear to check, and
+/// so only where assertions are on: without NDEBUG, or with CORRAL_CHECK_PRECONDITIONS. Cheap ones are always checked.
+#if !defined NDEBUG || defined CORRAL_CHECK_PRECONDITIONS
+#define CORRAL_PRECONDITION(condition, complaint)                                                                      \
+  (static_cast<bool>(condition) ? static_cast<void>(0) : ::corral::detail::refuse_input(complaint))
+#else
+#define CORRAL_PRECONDITION(condition, complaint) static_cast<void>(sizeof(static_cast<bool>(condition)))
+#endif
 
 #endif

@@ -14,18 +14,16 @@
 #include <vector>
 
 /// \file
-/// Polynomials on the unit box in the Bernstein basis, over the integers: additions and signs only.
+/// Polynomials on the unit box in the power basis and in the Bernstein basis, over the integers: additions and signs
+/// only. Two types, so that the coefficients of one are never read as those of the other.
 namespace corral::exact {
 
-/// \brief A polynomial on [0,1]^D by a positive multiple of its Bernstein coefficients, last axis fastest.
-///
-/// The polynomial lies in the convex hull of the coefficients; those whose indices are all 0 or the degree are its
-/// values at the corners (times the multiple).
+/// A number for each multi-index up to the degrees, last axis fastest.
 template <std::size_t D>
-struct Bernstein_form
+struct Dense_coefficients
 {
   std::array<std::size_t, D> size{}; ///< degree + 1 for each axis
-  std::vector<Integer> values;
+  std::vector<Integer> values{};
 
   /// The distance in `values` between neighbours along `axis`.
   [[nodiscard]] std::size_t stride(std::size_t axis) const
@@ -34,13 +32,28 @@ struct Bernstein_form
     for (std::size_t k = axis + 1; k < D; ++k) result *= size[k];
     return result;
   }
+};
 
+/// A polynomial by a positive multiple of the coefficients of its monomials.
+template <std::size_t D>
+struct Power_form : Dense_coefficients<D>
+{
+};
+
+/// \brief A polynomial on [0,1]^D by a positive multiple of its Bernstein coefficients.
+///
+/// The polynomial lies in the convex hull of the coefficients; those whose indices are all 0 or the degree are its
+/// values at the corners (times the multiple).
+template <std::size_t D>
+struct Bernstein_form : Dense_coefficients<D>
+{
   /// The coefficient at a corner; bit k of `corner` chooses the upper end of axis k.
   [[nodiscard]] const Integer& corner(unsigned corner) const
   {
     std::size_t index = 0;
-    for (std::size_t k = 0; k < D; ++k) index = index * size[k] + ((corner >> k & 1) != 0 ? size[k] - 1 : 0);
-    return values[index];
+    for (std::size_t k = 0; k < D; ++k)
+      index = index * this->size[k] + ((corner >> k & 1) != 0 ? this->size[k] - 1 : 0);
+    return this->values[index];
   }
 };
 
@@ -59,7 +72,7 @@ void for_each_line(const std::array<std::size_t, D>& size, std::size_t axis, con
 
 /// Calls `function(first)` with the index of the first value of every line along `axis`.
 template <std::size_t D, class Function>
-void for_each_line(const Bernstein_form<D>& form, std::size_t axis, const Function& function)
+void for_each_line(const Dense_coefficients<D>& form, std::size_t axis, const Function& function)
 {
   for_each_line(form.size, axis, [&](std::size_t first, std::size_t) { function(first); });
 }
@@ -78,11 +91,11 @@ std::size_t dense_size(const Polynomial<NT, D>& g)
   return count;
 }
 
-/// \brief The dense coefficients of `g` in the power basis, kept in the same layout. \throw Budget_exceeded.
+/// The coefficients of `g`, zeros included. \throw Budget_exceeded as `dense_size`.
 template <std::size_t D>
-[[nodiscard]] Bernstein_form<D> dense_power_form(const Polynomial<Integer, D>& g)
+[[nodiscard]] Power_form<D> power_form(const Polynomial<Integer, D>& g)
 {
-  Bernstein_form<D> form;
+  Power_form<D> form;
   form.values.resize(dense_size(g));
   for (std::size_t k = 0; k < D; ++k) form.size[k] = g.degree(k) + 1;
   for (const auto& term : g.terms()) {
@@ -93,9 +106,9 @@ template <std::size_t D>
   return form;
 }
 
-/// Replaces p(x) by p(x + offset) along one axis. \pre `form` holds power coefficients.
+/// Replaces p(x) by p(x + offset) along one axis.
 template <std::size_t D>
-void shift_power_form(Bernstein_form<D>& form, std::size_t axis, unsigned long offset)
+void shift(Power_form<D>& form, std::size_t axis, unsigned long offset)
 {
   if (offset == 0) return;
   const std::size_t stride = form.stride(axis);
@@ -113,10 +126,11 @@ void shift_power_form(Bernstein_form<D>& form, std::size_t axis, unsigned long o
 /// L / C(n, k) for k = 0, ..., n, with the smallest L that makes them integers.
 [[nodiscard]] std::vector<Integer> bernstein_weights(std::size_t n);
 
-/// Power coefficients on [0,1]^D to Bernstein coefficients.
+/// The polynomial on [0,1]^D in the Bernstein basis.
 template <std::size_t D>
-void to_bernstein(Bernstein_form<D>& form)
+[[nodiscard]] Bernstein_form<D> to_bernstein(Power_form<D> power)
 {
+  Bernstein_form<D> form{{power.size, std::move(power.values)}};
   for (std::size_t axis = 0; axis < D; ++axis) {
     const std::size_t stride = form.stride(axis);
     const std::size_t n = form.size[axis] - 1;
@@ -131,6 +145,7 @@ void to_bernstein(Bernstein_form<D>& form)
         if (weights[k] != 1) c[k * stride] *= weights[k];
     });
   }
+  return form;
 }
 
 /// Divides all values by the power of two that they share.

@@ -10,6 +10,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace corral::exact {
 
@@ -17,13 +18,15 @@ using Element = Prime_field::Element;
 
 Bivariate bivariate(const Polynomial<Integer, 2>& f, std::size_t main)
 {
-  Bivariate result(f.is_zero() ? 0 : f.degree(main) + 1U);
+  std::vector<std::vector<Integer>> coefficients(f.is_zero() ? 0 : f.degree(main) + 1U);
   for (const auto& term : f.terms()) {
-    auto& coefficient = result[term.exponents[main]];
+    auto& coefficient = coefficients[term.exponents[main]];
     const std::size_t exponent = term.exponents[1 - main];
     if (coefficient.size() <= exponent) coefficient.resize(exponent + 1);
     coefficient[exponent] = term.coefficient;
   }
+  Bivariate result;
+  for (auto& c : coefficients) result.emplace_back(std::move(c));
   return result;
 }
 
@@ -45,7 +48,7 @@ Integer_polynomial content(const Bivariate& f)
 {
   Integer_polynomial result;
   for (const auto& c : f) {
-    if (c.empty()) continue;
+    if (c.is_zero()) continue;
     result = greatest_common_divisor(result, c);
     if (degree(result) == 0) return {1};
   }
@@ -56,8 +59,9 @@ Bivariate derivative(const Bivariate& f)
 {
   Bivariate result(f.empty() ? 0 : f.size() - 1);
   for (std::size_t j = 1; j < f.size(); ++j) {
-    result[j - 1] = f[j];
-    for (Integer& c : result[j - 1]) c *= static_cast<unsigned long>(j);
+    auto coefficients = f[j].coefficients();
+    for (Integer& c : coefficients) c *= static_cast<unsigned long>(j);
+    result[j - 1] = Integer_polynomial(std::move(coefficients));
   }
   return result;
 }
@@ -75,7 +79,7 @@ std::size_t total_degree(const Bivariate& f)
 {
   std::size_t highest = 0;
   for (std::size_t j = 0; j < f.size(); ++j)
-    if (!f[j].empty()) highest = std::max(highest, j + degree(f[j]));
+    if (!f[j].is_zero()) highest = std::max(highest, j + degree(f[j]));
   return highest;
 }
 
@@ -115,7 +119,7 @@ private:
   [[nodiscard]] std::vector<Modular_polynomial> images(const Bivariate& f) const
   {
     std::vector<Modular_polynomial> result;
-    for (const auto& c : f) result.push_back(image(field_, c));
+    for (const auto& c : f) result.push_back(image(field_, c.coefficients()));
     return result;
   }
   [[nodiscard]] Modular_polynomial at(const std::vector<Modular_polynomial>& f, Element x) const
@@ -198,13 +202,10 @@ Elimination eliminate(const Bivariate& f, const Bivariate& g, const Checkpoint& 
     remainders[1].add(field.prime(), interpolation(residues(field, samples.s1)));
     remainders[2].add(field.prime(), interpolation(residues(field, samples.s0)));
   }
-  Elimination result{remainders[0].symmetric(), {}, {}};
-  trim(result.resultant);
+  Elimination result{Integer_polynomial(remainders[0].symmetric()), {}, {}};
   if (with_linear) {
-    result.s1 = remainders[1].symmetric();
-    result.s0 = remainders[2].symmetric();
-    trim(result.s1);
-    trim(result.s0);
+    result.s1 = Integer_polynomial(remainders[1].symmetric());
+    result.s0 = Integer_polynomial(remainders[2].symmetric());
   }
   require_elimination(result, f, g);
   return result;
@@ -224,7 +225,7 @@ void require_elimination(const Elimination& elimination, const Bivariate& f, con
     if (!pair.is_lucky()) continue;
     const auto x = source.next();
     const auto expected = pair.evaluate(x);
-    const bool has_linear = !elimination.s1.empty() || !elimination.s0.empty();
+    const bool has_linear = !elimination.s1.is_zero() || !elimination.s0.is_zero();
     if (!expected || (has_linear && !expected->has_linear)) continue;
     if (value(field, elimination.resultant, x) == expected->resultant
         && (!has_linear

@@ -26,8 +26,8 @@ using Bivariate = std::vector<Integer_polynomial>;
 /// What eliminating y from f and g leaves in Z[x].
 struct Elimination
 {
-  Integer_polynomial resultant; ///< empty iff f and g have a common factor
-  Integer_polynomial s1;        ///< s1 y + s0 is the linear subresultant; both empty if it is not known
+  Integer_polynomial resultant; ///< zero iff f and g have a common factor
+  Integer_polynomial s1;        ///< s1 y + s0 is the linear subresultant; both zero if it is not known
   Integer_polynomial s0;
 };
 

@@ -20,14 +20,19 @@ void trim(Rational_coefficients& a)
   while (!a.empty() && a.back() == 0) a.pop_back();
 }
 
-Integer_polynomial to_integer(const Rational_coefficients& a)
+/// Integers over one denominator, a from the constant coefficient up.
+struct Over_denominator
 {
+  explicit Over_denominator(const Rational_coefficients& a)
+  {
+    for (const Rational& c : a) denominator = lcm(denominator, c.get_den());
+    std::vector<Integer> numerators;
+    for (const Rational& c : a) numerators.push_back(c.get_num() * (denominator / c.get_den()));
+    numerator = Integer_polynomial(std::move(numerators));
+  }
+  Integer_polynomial numerator;
   Integer denominator = 1;
-  for (const Rational& c : a) denominator = lcm(denominator, c.get_den());
-  Integer_polynomial result;
-  for (const Rational& c : a) result.push_back(c.get_num() * (denominator / c.get_den()));
-  return primitive_part(std::move(result));
-}
+};
 
 /// Owner of a FLINT polynomial over the rationals.
 class Flint_polynomial
@@ -36,12 +41,9 @@ public:
   Flint_polynomial() { fmpq_poly_init(value_); }
   explicit Flint_polynomial(const Rational_coefficients& a) : Flint_polynomial()
   {
-    Integer denominator = 1; // one for all: coefficient by coefficient, FLINT would reduce the whole each time
-    for (const Rational& c : a) denominator = lcm(denominator, c.get_den());
-    Integer_polynomial numerators;
-    for (const Rational& c : a) numerators.push_back(c.get_num() * (denominator / c.get_den()));
-    fmpq_poly_set_fmpz_poly(value_, Flint_integer_polynomial(numerators).get());
-    fmpq_poly_scalar_div_mpz(value_, value_, denominator.get_mpz_t());
+    const Over_denominator whole(a); // one for all: coefficient by coefficient, FLINT would reduce the whole each time
+    fmpq_poly_set_fmpz_poly(value_, Flint_integer_polynomial(whole.numerator).get());
+    fmpq_poly_scalar_div_mpz(value_, value_, whole.denominator.get_mpz_t());
   }
   Flint_polynomial(const Flint_polynomial&) = delete;
   Flint_polynomial& operator=(const Flint_polynomial&) = delete;
@@ -84,7 +86,7 @@ Integer_polynomial irreducible_factor(const Real_root& alpha)
 Extension::Extension(Integer_polynomial m, Real_root alpha) : m_(std::move(m)), alpha_(std::move(alpha))
 {
   for (const Integer& c : m_) {
-    monic_.emplace_back(c, m_.back());
+    monic_.emplace_back(c, m_.lead());
     monic_.back().canonicalize();
   }
 }
@@ -143,10 +145,10 @@ Rational_coefficients Extension::inverse(const Rational_coefficients& a) const
     return result;
   }
   // alpha is a root of the common factor or of its cofactor
-  auto factor = to_integer(common.coefficients());
+  auto factor = normalized(Over_denominator(common.coefficients()).numerator);
   auto alpha = alpha_;
   if (alpha.sign_of(factor) == 0) throw Split{std::move(factor)};
-  throw Split{exact_quotient(primitive_part(m_), factor)};
+  throw Split{exact_quotient(normalized(m_), factor)};
 }
 
 Tower::Tower(Extension base, Extension_polynomial h, Rational_interval beta)
@@ -222,12 +224,7 @@ Integer_polynomial value_at(const Extension_polynomial& h, const Rational& y)
     if (value.size() < h[j].size()) value.resize(h[j].size());
     for (std::size_t i = 0; i < h[j].size(); ++i) value[i] += h[j][i];
   }
-  trim(value);
-  Integer denominator = 1;
-  for (const Rational& c : value) denominator = lcm(denominator, c.get_den());
-  Integer_polynomial result;
-  for (const Rational& c : value) result.push_back(c.get_num() * (denominator / c.get_den()));
-  return result;
+  return Over_denominator(value).numerator;
 }
 
 } // namespace corral::exact

@@ -242,7 +242,7 @@ Triangular_zero<3> Fibre::chain(const Tower_polynomial& t, const Rational_interv
     if (alpha_.is_point())
       m = {-alpha_.lower(), 1};
     else
-      for (const Integer& c : modulus_) m.push_back(Rational(c) / modulus_.back());
+      for (const Integer& c : modulus_) m.push_back(Rational(c) / modulus_.lead());
     for (const std::size_t k : {0U, 1U}) {
       std::vector<Polynomial<Rational, 3>::Term> lower;
       add_terms(lower, k == 0 ? Extension_polynomial{m} : second_, 0);

@@ -4,7 +4,10 @@
 
 #include <corral/algebra/Integer_polynomial.h>
 
+#include <cstddef>
 #include <flint/fmpz_poly.h>
+#include <utility>
+#include <vector>
 
 namespace corral::exact {
 
@@ -26,10 +29,10 @@ public:
   [[nodiscard]] Integer_polynomial coefficients() const { return coefficients(value_); }
   [[nodiscard]] static Integer_polynomial coefficients(const fmpz_poly_struct* p)
   {
-    Integer_polynomial result(static_cast<std::size_t>(fmpz_poly_length(p)));
+    std::vector<Integer> result(static_cast<std::size_t>(fmpz_poly_length(p)));
     for (std::size_t i = 0; i < result.size(); ++i)
       fmpz_poly_get_coeff_mpz(result[i].get_mpz_t(), p, static_cast<slong>(i));
-    return result;
+    return Integer_polynomial(std::move(result));
   }
 
 private:

@@ -63,7 +63,7 @@ Polynomial<Rational, 2> first_element(const Integer_polynomial& m, const Real_ro
     column[0] = {-alpha.lower(), 1};
   else
     for (const Integer& c : m) {
-      Rational monic(c, m.back());
+      Rational monic(c, m.lead());
       monic.canonicalize();
       column[0].push_back(monic);
     }
@@ -80,11 +80,10 @@ Integer_polynomial irreducible_modulus(const Real_root& alpha)
 /// s1 y + s0 at a rational y, times a positive integer.
 Integer_polynomial linear_at(const Integer_polynomial& s1, const Integer_polynomial& s0, const Rational& y)
 {
-  Integer_polynomial result(std::max(s1.size(), s0.size()));
+  std::vector<Integer> result(std::max(s1.size(), s0.size()));
   for (std::size_t i = 0; i < s1.size(); ++i) result[i] += s1[i] * y.get_num();
   for (std::size_t i = 0; i < s0.size(); ++i) result[i] += s0[i] * y.get_den();
-  trim(result);
-  return result;
+  return Integer_polynomial(std::move(result));
 }
 
 } // namespace
@@ -95,7 +94,7 @@ void Plane_system::eliminate_y(const Checkpoint& checkpoint)
 {
   if (elimination_) return;
   auto elimination = eliminate(bivariate(f_, 1), bivariate(g_, 1), checkpoint);
-  if (elimination.resultant.empty()) throw Wrong_answer("algebra: two polynomials said to be coprime are not");
+  if (elimination.resultant.is_zero()) throw Wrong_answer("algebra: two polynomials said to be coprime are not");
   for (auto& factor : square_free_decomposition(elimination.resultant, checkpoint))
     if (degree(factor) > 0) first_.push_back(std::make_shared<const Integer_polynomial>(std::move(factor)));
   elimination_ = std::move(elimination); // last: a checkpoint that throws leaves nothing half done
@@ -144,7 +143,7 @@ Plane_system::Over Plane_system::over(Real_root& alpha, const Rational_interval&
 {
   const auto& s1 = elimination_->s1;
   const auto& s0 = elimination_->s0;
-  if (s1.empty() || alpha.sign_of(s1) == 0) return Over::many;
+  if (s1.is_zero() || alpha.sign_of(s1) == 0) return Over::many;
   if (alpha.sign_of(bivariate(f_, 1).back()) == 0 && alpha.sign_of(bivariate(g_, 1).back()) == 0) return Over::many;
   const int below = alpha.sign_of(linear_at(s1, s0, side.lower()));
   const int above = alpha.sign_of(linear_at(s1, s0, side.upper()));

@@ -44,11 +44,10 @@ Ball evaluate(const Integer_polynomial& p, const Ball& x, mp_bitcnt_t bits)
 Integer_polynomial combination(const Integer_polynomial& p, const Integer& a, const Integer_polynomial& q,
                                const Integer& b)
 {
-  Integer_polynomial result(std::max(p.size(), q.size()));
+  std::vector<Integer> result(std::max(p.size(), q.size()));
   for (std::size_t i = 0; i < p.size(); ++i) result[i] += a * p[i];
   for (std::size_t i = 0; i < q.size(); ++i) result[i] += b * q[i];
-  trim(result);
-  return result;
+  return Integer_polynomial(std::move(result));
 }
 
 Extension_polynomial over_extension(const Bivariate& f, const Extension& field)
@@ -98,12 +97,12 @@ private:
   [[nodiscard]] bool add_roots(const Shared_polynomial& factor, unsigned multiplicity,
                                const std::optional<Rational_box<2>>& box, std::vector<Projected_zero>& zeros)
   {
-    const bool is_linear = !s1_->empty() && degree(greatest_common_divisor(*factor, *s1_, checkpoint_)) == 0;
+    const bool is_linear = !s1_->is_zero() && degree(greatest_common_divisor(*factor, *s1_, checkpoint_)) == 0;
     for (const auto& root : isolate_simple_roots(factor, range(*factor, box), checkpoint_)) {
       Real_root u(factor, root.interval(), multiplicity);
       u.set_checkpoint(checkpoint_);
       std::optional<Projected_zero> zero;
-      if (is_linear || (!s1_->empty() && u.sign_of(*s1_) != 0))
+      if (is_linear || (!s1_->is_zero() && u.sign_of(*s1_) != 0))
         zero.emplace(std::move(u), s1_, s0_, shear_, 1U);
       else if (!multiple_zero(std::move(u), zero))
         return false;
@@ -112,7 +111,8 @@ private:
     return true;
   }
 
-  [[nodiscard]] Rational_interval range(const Integer_polynomial& factor, const std::optional<Rational_box<2>>& box) const
+  [[nodiscard]] Rational_interval range(const Integer_polynomial& factor,
+                                        const std::optional<Rational_box<2>>& box) const
   {
     if (box) return (*box)[0] + Rational_interval(Rational(shear_)) * (*box)[1];
     const Rational bound(root_bound(factor));
@@ -132,7 +132,7 @@ private:
         if (line.size() != 2) return false;
         Integer denominator = 1;
         for (const Rational& c : line[0]) denominator = lcm(denominator, c.get_den());
-        Integer_polynomial s0;
+        std::vector<Integer> s0;
         for (const Rational& c : line[0]) s0.push_back(c.get_num() * (denominator / c.get_den()));
         zero.emplace(std::move(u), std::make_shared<const Integer_polynomial>(Integer_polynomial{denominator}),
                      std::make_shared<const Integer_polynomial>(std::move(s0)), shear_,
@@ -214,8 +214,7 @@ Rational_box<2> Projected_zero::box(const Rational& width)
   for (;;) {
     if (const auto second = y()) {
       const auto first = u_.interval() - Rational_interval(Rational(shear_)) * *second;
-      if (first.upper() - first.lower() <= width && second->upper() - second->lower() <= width)
-        return {first, *second};
+      if (first.upper() - first.lower() <= width && second->upper() - second->lower() <= width) return {first, *second};
     }
     u_.refine();
   }
@@ -234,9 +233,9 @@ int Projected_zero::sign_of_linear(const Rational& a, const Rational& b, const R
   const Rational slope = b - a * shear_;
   const Integer common = lcm(lcm(a.get_den(), c.get_den()), slope.get_den());
   const auto integer = [&](const Rational& q) { return Integer(q.get_num() * (common / q.get_den())); };
-  const auto numerator = combination(multiply(*s1_, Integer_polynomial{integer(c), integer(a)}), 1, *s0_,
-                                     Integer(-integer(slope)));
-  return numerator.empty() ? 0 : u_.sign_of(numerator) * u_.sign_of(*s1_);
+  const auto numerator =
+      combination(multiply(*s1_, Integer_polynomial{integer(c), integer(a)}), 1, *s0_, Integer(-integer(slope)));
+  return numerator.is_zero() ? 0 : u_.sign_of(numerator) * u_.sign_of(*s1_);
 }
 
 int Projected_zero::sign_of(const Polynomial<Integer, 2>& q)
@@ -250,7 +249,7 @@ int Projected_zero::sign_of(const Polynomial<Integer, 2>& q)
     power = multiply(power, *s1_);
     value = combination(multiply(value, *s0_), -1, multiply(by_y[j], power), 1);
   }
-  if (value.empty()) return 0;
+  if (value.is_zero()) return 0;
   const int sign = u_.sign_of(value);
   return by_y.size() % 2 == 0 ? sign * u_.sign_of(*s1_) : sign; // an odd power of s1
 }
@@ -264,7 +263,7 @@ bool Projected_zero::equals(Projected_zero& other)
 {
   if (!same(u_, other.u_)) return false;
   const auto difference = combination(multiply(*s0_, *other.s1_), 1, multiply(*other.s0_, *s1_), -1);
-  return difference.empty() || u_.sign_of(difference) == 0;
+  return difference.is_zero() || u_.sign_of(difference) == 0;
 }
 
 bool Projected_zero::is_in(const Rational_box<2>& box)
@@ -281,7 +280,8 @@ Polynomial<Integer, 2> sheared(const Polynomial<Integer, 2>& f, long shear)
     const unsigned n = term.exponents[0];
     Integer coefficient = term.coefficient; // times C(n, k) (-shear)^k
     for (unsigned k = 0; k <= n; ++k) {
-      terms.push_back({{static_cast<std::uint16_t>(n - k), static_cast<std::uint16_t>(term.exponents[1] + k)}, coefficient});
+      terms.push_back(
+          {{static_cast<std::uint16_t>(n - k), static_cast<std::uint16_t>(term.exponents[1] + k)}, coefficient});
       coefficient *= -shear;
       coefficient *= static_cast<unsigned long>(n - k);
       mpz_divexact_ui(coefficient.get_mpz_t(), coefficient.get_mpz_t(), k + 1);
@@ -290,9 +290,9 @@ Polynomial<Integer, 2> sheared(const Polynomial<Integer, 2>& f, long shear)
   return collect<Integer, 2>(std::move(terms));
 }
 
-std::optional<Projection_result>
-projected_zeros(const Polynomial<Integer, 2>& f, const Polynomial<Integer, 2>& g, long shear,
-                const std::optional<Rational_box<2>>& box, unsigned least_multiplicity, const Checkpoint& checkpoint)
+std::optional<Projection_result> projected_zeros(const Polynomial<Integer, 2>& f, const Polynomial<Integer, 2>& g,
+                                                 long shear, const std::optional<Rational_box<2>>& box,
+                                                 unsigned least_multiplicity, const Checkpoint& checkpoint)
 {
   Projection_result result;
   if (f.is_constant() || g.is_constant()) return result;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <corral/algebra/real_roots.h>
+#include <corral/errors.h>
 
 #include <algorithm>
 #include <utility>
@@ -16,7 +17,17 @@ Real_root::Real_root(std::shared_ptr<const Integer_polynomial> polynomial, Ratio
                      unsigned multiplicity)
     : polynomial_(std::move(polynomial)), interval_(std::move(interval)), multiplicity_(multiplicity)
 {
-  if (!is_point()) lower_sign_ = sign_at(lower());
+  if (!polynomial_) throw Invalid_input("Real_root: given no polynomial; expected one with the root");
+  CORRAL_PRECONDITION(is_square_free(*polynomial_),
+                      "Real_root: given a polynomial with a multiple root; expected none");
+  if (is_point()) {
+    CORRAL_PRECONDITION(sign_at(lower()) == 0, "Real_root: given a point that is no root; expected one");
+    return;
+  }
+  lower_sign_ = sign_at(lower());
+  if (lower_sign_ * sign_at(upper()) >= 0)
+    throw Invalid_input("Real_root: given the interval [" + to_string(lower()) + ", " + to_string(upper())
+                        + "]; expected opposite signs at its ends");
 }
 
 int Real_root::sign_at(const Rational& x) const
@@ -69,6 +80,8 @@ void Real_root::refine()
 
 void Real_root::refine_to(const Rational& width)
 {
+  if (sgn(width) <= 0)
+    throw Invalid_input("Real_root: given the width " + to_string(width) + "; expected a positive number");
   while (upper() - lower() > width) refine();
 }
 
@@ -77,7 +90,7 @@ bool Real_root::make_rational()
   if (is_point()) return true;
   if (known_irrational_) return false;
   // A rational root is a multiple of 1 / leading coefficient, and a short interval holds at most one.
-  const Integer& lead = polynomial_->back();
+  const Integer& lead = polynomial_->lead();
   refine_to(Rational(1) / (2 * abs(lead)));
   if (is_point()) return true;
   const Rational scaled = lower() * lead;
@@ -105,7 +118,7 @@ int Real_root::sign_of(const Integer_polynomial& q)
     check();
     if (is_point()) return corral::sign_at(q, lower());
     if (const int sign = strict_sign(corral::evaluate(q, interval_)); sign != 0) return sign;
-    if (q.empty()) return 0;
+    if (q.is_zero()) return 0;
     if (round >= 3 && !compared) {
       // The greatest common divisor vanishes at the root iff it changes sign over the interval.
       const auto common = greatest_common_divisor(*polynomial_, q, checkpoint_);

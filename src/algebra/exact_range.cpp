@@ -89,11 +89,10 @@ Part<D> whole_box(const Polynomial<Rational, D>& f, const Rational_box<D>& box)
     scale[k] = box[k].upper() - box[k].lower();
   }
   const auto local = integer_form(affine_substitution(f, offset, scale));
-  Part<D> part{exact::dense_power_form(local.numerator), 1, {}, 0};
+  Part<D> part{exact::to_bernstein(exact::power_form(local.numerator)), 1, {}, 0};
   Integer factor = local.denominator;
   for (const std::size_t size : part.form.size) factor *= exact::bernstein_weights(size - 1).front();
   part.scale /= factor;
-  exact::to_bernstein(part.form);
   return part;
 }
 
@@ -106,7 +105,7 @@ Range_enclosure univariate_range(const Polynomial<Rational, 1>& f, const Rationa
   const Rational a = evaluate(p, side.lower());
   const Rational b = evaluate(p, side.upper());
   Range_enclosure range{{std::min(a, b), std::max(a, b)}, {std::min(a, b), std::max(a, b)}};
-  if (const auto slope = derivative(p); !slope.empty())
+  if (const auto slope = derivative(p); !slope.is_zero())
     for (auto& root : isolate_real_roots(slope, side, checkpoint)) {
       while (true) {
         const auto value = evaluate(p, root.interval());

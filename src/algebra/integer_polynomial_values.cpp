@@ -11,8 +11,8 @@ int sign_at(const Integer_polynomial& p, const Rational& x)
   // Homogeneous Horner: sum of p_i n^i d^(N-i), whose sign is that of p(n/d).
   const Integer& n = x.get_num();
   const Integer& d = x.get_den();
-  if (p.empty()) return 0;
-  Integer value = p.back();
+  if (p.is_zero()) return 0;
+  Integer value = p.lead();
   if (d == 1) {
     for (std::size_t i = p.size() - 1; i-- > 0;) {
       value *= n;
@@ -39,8 +39,8 @@ int sign_at(const Integer_polynomial& p, const Rational& x)
 
 Rational evaluate(const Integer_polynomial& p, const Rational& x)
 {
-  if (p.empty()) return 0;
-  Integer value = p.back();
+  if (p.is_zero()) return 0;
+  Integer value = p.lead();
   Integer weight = 1;
   for (std::size_t i = p.size() - 1; i-- > 0;) {
     weight *= x.get_den();

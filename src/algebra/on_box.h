@@ -25,10 +25,8 @@ template <std::size_t D>
     offset[k] = box[k].lower();
     scale[k] = box[k].upper() - box[k].lower();
   }
-  auto form =
-      dense_power_form(integer_primitive(affine_substitution(transform<Rational>(f, to_rational), offset, scale)));
-  to_bernstein(form);
-  return form;
+  return to_bernstein(
+      power_form(integer_primitive(affine_substitution(transform<Rational>(f, to_rational), offset, scale))));
 }
 
 } // namespace corral::exact

@@ -107,7 +107,7 @@ namespace {
 std::vector<Integer> weighted_bernstein_coefficients(const Integer_polynomial& p, const Checkpoint& checkpoint = {})
 {
   const std::size_t n = degree(p);
-  std::vector<Integer> b(p.rbegin(), p.rend());
+  std::vector<Integer> b(p.coefficients().rbegin(), p.coefficients().rend());
   for (std::size_t i = 0; i < n; ++i) {
     if (checkpoint) checkpoint();
     for (std::size_t j = n; j-- > i;) b[j] += b[j + 1];
@@ -134,13 +134,15 @@ std::vector<Integer> without_weights(std::vector<Integer> b)
 
 std::vector<Integer> bernstein_coefficients(const Integer_polynomial& p)
 {
+  exact::require_nonzero(p.is_zero(), "bernstein_coefficients");
   return without_weights(weighted_bernstein_coefficients(p));
 }
 
 Integer root_bound(const Integer_polynomial& p)
 {
+  exact::require_nonzero(p.is_zero(), "root_bound");
   // 2 max |p_i / p_n|^(1/(n-i)), rounded up to a power of two
-  const auto lead = static_cast<long>(mpz_sizeinbase(p.back().get_mpz_t(), 2));
+  const auto lead = static_cast<long>(mpz_sizeinbase(p.lead().get_mpz_t(), 2));
   long exponent = 0;
   for (std::size_t i = 0; i + 1 < p.size(); ++i) {
     if (p[i] == 0) continue;
@@ -154,6 +156,9 @@ Integer root_bound(const Integer_polynomial& p)
 std::vector<Real_root> isolate_simple_roots(const std::shared_ptr<const Integer_polynomial>& p,
                                             const Rational_interval& interval, const Checkpoint& checkpoint)
 {
+  exact::require_nonzero(p->is_zero(), "isolate_simple_roots");
+  CORRAL_PRECONDITION(is_square_free(*p),
+                      "isolate_simple_roots: given a polynomial with a multiple root; expected none");
   std::vector<Real_root> roots;
   if (interval.lower() == interval.upper()) {
     if (sign_at(*p, interval.lower()) == 0) roots.emplace_back(p, interval, 1);
@@ -172,10 +177,10 @@ std::vector<Real_root> isolate_simple_roots(const std::shared_ptr<const Integer_
 std::vector<Real_root> isolate_real_roots(const Integer_polynomial& p, const Rational_interval& interval,
                                           const Checkpoint& checkpoint)
 {
-  exact::require_nonzero(p.empty(), "isolate_real_roots");
+  exact::require_nonzero(p.is_zero(), "isolate_real_roots");
   std::vector<Real_root> roots;
   if (degree(p) == 0) return roots;
-  const auto primitive = primitive_part(p);
+  const auto primitive = normalized(p);
   const auto repeated = greatest_common_divisor(primitive, derivative(primitive), checkpoint);
   const bool simple = degree(repeated) == 0;
   const auto free =
@@ -197,7 +202,7 @@ std::vector<Real_root> isolate_real_roots(const Integer_polynomial& p, const Rat
 
 std::vector<Real_root> isolate_real_roots(const Integer_polynomial& p, const Checkpoint& checkpoint)
 {
-  if (p.empty()) return isolate_real_roots(p, Rational_interval(0), checkpoint);
+  if (p.is_zero()) return isolate_real_roots(p, Rational_interval(0), checkpoint);
   const Rational bound(root_bound(p));
   return isolate_real_roots(p, Rational_interval(-bound, bound), checkpoint);
 }

@@ -18,7 +18,11 @@ class Faulty_interval
 {
 public:
   Faulty_interval() = default;
-  Faulty_interval(int value) : value_(value) {}
+  template <UnfitNumber T>
+  Faulty_interval(T value) = delete;
+  template <MachineNumber T>
+  Faulty_interval(T value) : value_(value)
+  {}
   explicit Faulty_interval(const Outward_interval& value) : value_(value) {}
 
   [[nodiscard]] const Outward_interval& value() const { return value_; }
@@ -73,6 +77,8 @@ struct corral::Interval_traits<corral::audit::Faulty_interval<Fault>>
   using Scope = Nearest_scope;
   static I enclose(const Rational& value) { return I(Fault::enclose(value)); }
   static I hull(const I& a, const I& b) { return I(Fault::hull(a.value(), b.value())); }
+  static bool is_number(const I& x) { return Traits::is_number(x.value()); }
+  static I intersection(const I& a, const I& b) { return I(Traits::intersection(a.value(), b.value())); }
   static I lower(const I& x) { return I(Traits::lower(x.value())); }
   static I upper(const I& x) { return I(Traits::upper(x.value())); }
   static std::optional<Rational> exact_lower(const I& x) { return Traits::exact_lower(x.value()); }

@@ -83,7 +83,6 @@ Rational_box<D> random_box(Trouble_source& source)
   const bool has_points = source.chance(2);
   for (auto& side : box) {
     side = random_side(source);
-    if (side.upper() < side.lower()) side = Rational_interval(side.upper(), side.lower());
     if (has_points && !source.chance(4)) side = Rational_interval(source.chance(2) ? side.lower() : side.upper());
   }
   return box;

@@ -58,6 +58,13 @@ std::vector<Oracle_root> cgal_real_roots(const Integer_polynomial& p, const Rati
   return result;
 }
 
+Count_real_roots cgal_count_real_roots;
+
+std::size_t cgal_count_real_roots(const Integer_polynomial& p)
+{
+  return degree(p) == 0 ? 0 : cgal_real_roots(p, 1).size();
+}
+
 std::vector<Rational_box<2>> cgal_common_zeros(const Polynomial<Integer, 2>& f, const Polynomial<Integer, 2>& g,
                                                const Rational& width)
 {

@@ -5,6 +5,8 @@
 
 namespace corral {
 
+Count_real_roots flint_count_real_roots;
+
 std::size_t flint_count_real_roots(const Integer_polynomial& p)
 {
   fmpz_poly_t polynomial;

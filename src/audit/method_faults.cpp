@@ -193,7 +193,9 @@ struct Bernstein_wrong_binomials : Sound_basis
 struct Lossy_affine
 {
   Lossy_affine(const Rational& value = 0) : centre(value) {}
-  Lossy_affine(int value) : centre(value) {}
+  template <MachineNumber T>
+  Lossy_affine(T value) : centre(value)
+  {}
   Lossy_affine& operator+=(const Lossy_affine& b)
   {
     centre += b.centre;

@@ -17,7 +17,8 @@ struct Sum_upper_rounded_down : No_fault
   static constexpr std::string_view description = "the upper end of a sum is rounded down";
   static X add(const X& a, const X& b)
   {
-    return {Outward_rounding::add_down(a.lower(), b.lower()), Outward_rounding::add_down(a.upper(), b.upper())};
+    return X::from_ends(Outward_rounding::add_down(a.lower(), b.lower()),
+                        Outward_rounding::add_down(a.upper(), b.upper()));
   }
 };
 
@@ -27,7 +28,7 @@ struct Sum_lower_rounded_up : No_fault
   static constexpr std::string_view description = "the lower end of a sum is rounded up";
   static X add(const X& a, const X& b)
   {
-    return {Outward_rounding::add_up(a.lower(), b.lower()), Outward_rounding::add_up(a.upper(), b.upper())};
+    return X::from_ends(Outward_rounding::add_up(a.lower(), b.lower()), Outward_rounding::add_up(a.upper(), b.upper()));
   }
 };
 
@@ -35,7 +36,7 @@ struct Difference_to_nearest : No_fault
 {
   static constexpr std::string_view name = "difference_to_nearest";
   static constexpr std::string_view description = "a difference is rounded to nearest, as if it were always exact";
-  static X subtract(const X& a, const X& b) { return {a.lower() - b.upper(), a.upper() - b.lower()}; }
+  static X subtract(const X& a, const X& b) { return X::from_ends(a.lower() - b.upper(), a.upper() - b.lower()); }
 };
 
 struct Difference_of_like_ends : No_fault
@@ -46,7 +47,7 @@ struct Difference_of_like_ends : No_fault
   {
     const double first = Outward_rounding::add_down(a.lower(), -b.lower());
     const double second = Outward_rounding::add_up(a.upper(), -b.upper());
-    return {std::min(first, second), std::max(first, second)};
+    return X::from_ends(std::min(first, second), std::max(first, second));
   }
 };
 
@@ -57,7 +58,7 @@ struct Product_upper_rounded_down : No_fault
   static X multiply(const X& a, const X& b)
   {
     if (!(a.lower() > 0 && b.lower() > 0)) return a * b;
-    return {(a * b).lower(), Outward_rounding::multiply_down(a.upper(), b.upper())};
+    return X::from_ends((a * b).lower(), Outward_rounding::multiply_down(a.upper(), b.upper()));
   }
 };
 
@@ -68,7 +69,7 @@ struct Product_lower_rounded_up : No_fault
   static X multiply(const X& a, const X& b)
   {
     if (!(a.lower() > 0 && b.lower() > 0)) return a * b;
-    return {Outward_rounding::multiply_up(a.lower(), b.lower()), (a * b).upper()};
+    return X::from_ends(Outward_rounding::multiply_up(a.lower(), b.lower()), (a * b).upper());
   }
 };
 
@@ -80,7 +81,8 @@ struct Product_of_two_corners : No_fault
   {
     const bool mixed = a.lower() < 0 && a.upper() > 0 && b.lower() < 0 && b.upper() > 0;
     if (!mixed) return a * b;
-    return {Outward_rounding::multiply_down(a.lower(), b.upper()), Outward_rounding::multiply_up(a.upper(), b.upper())};
+    return X::from_ends(Outward_rounding::multiply_down(a.lower(), b.upper()),
+                        Outward_rounding::multiply_up(a.upper(), b.upper()));
   }
 };
 
@@ -93,7 +95,7 @@ struct Product_shrinks : No_fault
   {
     const X product = a * b;
     if (!(product.lower() < product.upper())) return product;
-    return {std::nextafter(product.lower(), product.upper()), product.upper()};
+    return X::from_ends(std::nextafter(product.lower(), product.upper()), product.upper());
   }
 };
 
@@ -111,7 +113,7 @@ struct Product_error_underflows : No_fault
   static X multiply(const X& a, const X& b)
   {
     if (a.lower() != a.upper() || b.lower() != b.upper() || !std::isfinite(a.lower() * b.lower())) return a * b;
-    return {-up(-a.lower(), b.lower()), up(a.lower(), b.lower())};
+    return X::from_ends(-up(-a.lower(), b.lower()), up(a.lower(), b.lower()));
   }
 };
 
@@ -123,7 +125,7 @@ struct Square_loses_zero : No_fault
   {
     const X low = square(X(a.lower()));
     const X high = square(X(a.upper()));
-    return {std::min(low.lower(), high.lower()), std::max(low.upper(), high.upper())};
+    return X::from_ends(std::min(low.lower(), high.lower()), std::max(low.upper(), high.upper()));
   }
 };
 
@@ -135,7 +137,7 @@ struct Square_keeps_order : No_fault
   static X square_of(const X& a)
   {
     if (!(a.upper() < 0)) return square(a);
-    return {square(X(a.lower())).lower(), square(X(a.upper())).upper()};
+    return X::from_ends(square(X(a.lower())).lower(), square(X(a.upper())).upper());
   }
 };
 
@@ -143,14 +145,14 @@ struct No_outward_step : No_fault
 {
   static constexpr std::string_view name = "no_outward_step";
   static constexpr std::string_view description = "sums and products are rounded to nearest and never stepped outward";
-  static X add(const X& a, const X& b) { return {a.lower() + b.lower(), a.upper() + b.upper()}; }
+  static X add(const X& a, const X& b) { return X::from_ends(a.lower() + b.lower(), a.upper() + b.upper()); }
   static X subtract(const X& a, const X& b) { return add(a, -b); }
   static X multiply(const X& a, const X& b)
   {
     const double products[] = {a.lower() * b.lower(), a.lower() * b.upper(), a.upper() * b.lower(),
                                a.upper() * b.upper()};
     const auto [low, high] = std::minmax_element(std::begin(products), std::end(products));
-    return {*low, *high};
+    return X::from_ends(*low, *high);
   }
 };
 
@@ -158,8 +160,11 @@ struct One_end_stepped : No_fault
 {
   static constexpr std::string_view name = "one_end_stepped";
   static constexpr std::string_view description = "only lower ends are stepped outward";
-  static X add(const X& a, const X& b) { return {(a + b).lower(), a.upper() + b.upper()}; }
-  static X multiply(const X& a, const X& b) { return {(a * b).lower(), No_outward_step::multiply(a, b).upper()}; }
+  static X add(const X& a, const X& b) { return X::from_ends((a + b).lower(), a.upper() + b.upper()); }
+  static X multiply(const X& a, const X& b)
+  {
+    return X::from_ends((a * b).lower(), No_outward_step::multiply(a, b).upper());
+  }
 };
 
 struct Step_by_a_factor : No_fault
@@ -171,8 +176,8 @@ struct Step_by_a_factor : No_fault
   {
     const X nearest = No_outward_step::multiply(a, b);
     if (!std::isfinite(nearest.lower()) || !std::isfinite(nearest.upper())) return a * b;
-    return {nearest.lower() - std::fabs(nearest.lower()) * 0x1p-52,
-            nearest.upper() + std::fabs(nearest.upper()) * 0x1p-52};
+    return X::from_ends(nearest.lower() - std::fabs(nearest.lower()) * 0x1p-52,
+                        nearest.upper() + std::fabs(nearest.upper()) * 0x1p-52);
   }
 };
 
@@ -181,7 +186,7 @@ struct Flush_to_zero : No_fault
   static constexpr std::string_view name = "flush_to_zero";
   static constexpr std::string_view description = "subnormal results become zero, as with the processor's FTZ mode";
   static double flushed(double x) { return std::fabs(x) < std::numeric_limits<double>::min() ? 0 : x; }
-  static X flushed(const X& x) { return {flushed(x.lower()), flushed(x.upper())}; }
+  static X flushed(const X& x) { return X::from_ends(flushed(x.lower()), flushed(x.upper())); }
   static X add(const X& a, const X& b) { return flushed(a + b); }
   static X multiply(const X& a, const X& b) { return flushed(a * b); }
   static X square_of(const X& a) { return flushed(square(a)); }
@@ -195,7 +200,7 @@ struct Overflow_saturates : No_fault
   {
     constexpr double largest = std::numeric_limits<double>::max();
     const X product = a * b;
-    return {std::clamp(product.lower(), -largest, largest), std::clamp(product.upper(), -largest, largest)};
+    return X::from_ends(std::clamp(product.lower(), -largest, largest), std::clamp(product.upper(), -largest, largest));
   }
 };
 
@@ -203,7 +208,7 @@ struct Hull_drops_an_end : No_fault
 {
   static constexpr std::string_view name = "hull_drops_an_end";
   static constexpr std::string_view description = "the hull takes the upper end of its first operand";
-  static X hull(const X& a, const X& b) { return {std::min(a.lower(), b.lower()), a.upper()}; }
+  static X hull(const X& a, const X& b) { return X::from_ends(std::min(a.lower(), b.lower()), a.upper()); }
 };
 
 struct Enclose_to_nearest : No_fault

@@ -12,6 +12,11 @@ target_include_directories(corral_faults PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(corral_faults PUBLIC corral PRIVATE corral_warnings)
 
 # Oracles of other makers, for tests and audits only; nothing of the library needs them.
-add_library(corral_oracles STATIC EXCLUDE_FROM_ALL audit/cgal_oracles.cpp audit/flint_oracles.cpp)
+include(root_oracles)
+set(root_oracles
+  audit/cgal
+  audit/flint)
+add_library(corral_oracles STATIC EXCLUDE_FROM_ALL)
+corral_add_root_oracles(corral_oracles ${root_oracles})
 add_library(Corral::oracles ALIAS corral_oracles)
 target_link_libraries(corral_oracles PUBLIC corral PRIVATE FLINT::flint MPFI::mpfi)

@@ -242,7 +242,7 @@ unsigned highest_multiplicity(const Polynomial<Rational, D>& f)
   if (degree <= 1) return 1;
   const auto integer = integer_primitive(f);
   for (unsigned long slope = 1;; ++slope) {
-    Integer_polynomial line(degree + 1);
+    std::vector<Integer> line(degree + 1);
     for (const auto& term : integer.terms()) {
       unsigned long exponent = 0; // of `slope`: the direction is (1, slope, slope^2, ...)
       for (std::size_t axis = 0; axis < D; ++axis) exponent += axis * term.exponents[axis];
@@ -250,7 +250,8 @@ unsigned highest_multiplicity(const Polynomial<Rational, D>& f)
       mpz_ui_pow_ui(factor.get_mpz_t(), slope, exponent);
       line[std::accumulate(term.exponents.begin(), term.exponents.end(), std::size_t{0})] += term.coefficient * factor;
     }
-    if (line.back() != 0) return static_cast<unsigned>(square_free_decomposition(line).size());
+    if (line.back() == 0) continue;
+    return static_cast<unsigned>(square_free_decomposition(Integer_polynomial(std::move(line))).size());
   }
 }
 

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -70,9 +69,9 @@ template <IntervalNumber I, std::size_t D>
 class Jet_maker
 {
 public:
-  /// \param power  power coefficients on [0,1]^D. The maker keeps references to its arguments.
+  /// \param power  on [0,1]^D. The maker keeps references to its arguments.
   /// \param precision  terms smaller by this power of two than the largest are dropped.
-  Jet_maker(const Bernstein_form<D>& power, Reciprocal_binomials<I>& binomials, long precision)
+  Jet_maker(const Power_form<D>& power, Reciprocal_binomials<I>& binomials, long precision)
       : power_(power), binomials_(binomials)
   {
     std::array<long, D + 1> most{}; // bits of the largest coefficient
@@ -106,14 +105,14 @@ public:
           return;
         }
       I value = scaled(c);
-      if (part > 0) value *= I(static_cast<int>(exponents[part - 1]--));
+      if (part > 0) value *= I(exponents[part - 1]--);
       std::size_t index = 0;
       for (std::size_t k = 0; k < D; ++k) index = index * size_[k] + exponents[k];
       values[index] = value;
     });
     if (dropped > 0) {
       const I largest = scaled(Integer(1) << static_cast<mp_bitcnt_t>(most));
-      values.front() += symmetric_hull(largest * I(static_cast<int>(dropped)));
+      values.front() += symmetric_hull(largest * I(dropped));
     }
     to_bernstein(values);
     return values;
@@ -145,27 +144,7 @@ private:
   }
 
   /// An interval around c * 2^-exponent_.
-  [[nodiscard]] I scaled(const Integer& c) const
-  {
-    Rational value;
-    if constexpr (requires { I(0.5, 1.5); }) { // two doubles, by exact operations only
-      constexpr long mantissa = 53;
-      constexpr long least = -900;
-      const long length = static_cast<long>(mpz_sizeinbase(c.get_mpz_t(), 2));
-      if (length - exponent_ < least) return {std::ldexp(-1.0, least), std::ldexp(1.0, least)};
-      const long shift = std::max(0L, length - mantissa);
-      Integer low;
-      mpz_fdiv_q_2exp(low.get_mpz_t(), c.get_mpz_t(), static_cast<mp_bitcnt_t>(shift));
-      const bool exact = shift == 0 || mpz_scan1(c.get_mpz_t(), 0) >= static_cast<mp_bitcnt_t>(shift);
-      const double lower = low.get_d();
-      const int unit = static_cast<int>(shift - exponent_);
-      return {std::ldexp(lower, unit), std::ldexp(exact ? lower : lower + 1, unit)};
-    } else {
-      value = c;
-      mpq_div_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent_));
-      return enclose<I>(value);
-    }
-  }
+  [[nodiscard]] I scaled(const Integer& c) const { return enclose<I>(c, -exponent_); }
 
   /// Power coefficients become Bernstein coefficients.
   void to_bernstein(std::vector<I>& values) const
@@ -182,7 +161,7 @@ private:
     }
   }
 
-  const Bernstein_form<D>& power_;
+  const Power_form<D>& power_;
   Reciprocal_binomials<I>& binomials_;
   long exponent_ = 0;
   std::array<std::size_t, D> size_{};

@@ -22,9 +22,9 @@ public:
   /// \param precision  bits that matter of the largest coefficient.
   explicit Interval_rung(long precision) : precision_(precision) {}
 
-  /// Looks for a zero of a polynomial on [0,1]^D, given by power coefficients.
+  /// Looks for a zero of a polynomial on [0,1]^D, given in the power basis.
   /// \param sign  its strict sign at all corners.
-  [[nodiscard]] Finding<D> look_for_zero(const Bernstein_form<D>& power, int sign)
+  [[nodiscard]] Finding<D> look_for_zero(const Power_form<D>& power, int sign)
   {
     const Arithmetic_scope<I> scope;
     const Jet_maker<I, D> maker(power, binomials_, precision_);

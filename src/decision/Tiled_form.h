@@ -21,11 +21,11 @@ template <std::size_t D>
 class Tiled_form
 {
 public:
-  /// \param power  power coefficients in grid coordinates.
-  explicit Tiled_form(Bernstein_form<D> power) { moved_[0] = std::move(power); }
+  /// \param power  in grid coordinates.
+  explicit Tiled_form(Power_form<D> power) { moved_[0] = std::move(power); }
 
-  /// The power coefficients on a cell.
-  [[nodiscard]] const Bernstein_form<D>& on_cell(const Cell<D>& cell)
+  /// The polynomial on a cell.
+  [[nodiscard]] const Power_form<D>& on_cell(const Cell<D>& cell)
   {
     bool moves = false;
     for (std::size_t step = 0; step < 2 * D; ++step) {
@@ -36,14 +36,14 @@ public:
       moves = true;
       offset_[step] = offset;
       moved_[step + 1] = moved_[step];
-      shift_power_form(moved_[step + 1], axis, offset);
+      shift(moved_[step + 1], axis, offset);
     }
     is_made_ = true;
     return moved_[2 * D];
   }
 
 private:
-  std::array<Bernstein_form<D>, 2 * D + 1> moved_;
+  std::array<Power_form<D>, 2 * D + 1> moved_;
   std::array<std::uint32_t, 2 * D> offset_{};
   bool is_made_ = false;
 };

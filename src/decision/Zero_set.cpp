@@ -32,8 +32,7 @@ Polynomial<Integer, 2> without_axis_lines(Polynomial<Integer, 2> g)
     auto by_main = bivariate(g, main);
     const auto divisor = content(by_main);
     if (degree(divisor) == 0) continue;
-    for (auto& c : by_main)
-      if (!c.empty()) c = exact_quotient(c, divisor);
+    for (auto& c : by_main) c = exact_quotient(c, divisor);
     g = exact::polynomial(by_main, main);
   }
   return g;
@@ -42,8 +41,7 @@ Polynomial<Integer, 2> without_axis_lines(Polynomial<Integer, 2> g)
 Cell_decision<1> real_root_in(const Polynomial<Integer, 1>& g, const Rational_interval& side,
                               const Checkpoint& checkpoint)
 {
-  Integer_polynomial p(g.degree(0) + 1U);
-  for (const auto& term : g.terms()) p[term.exponents[0]] = term.coefficient;
+  const auto p = integer_polynomial(transform<Rational>(g, to_rational));
   const auto free = std::make_shared<const Integer_polynomial>(square_free_part(p, checkpoint));
   const auto roots = isolate_simple_roots(free, side, checkpoint);
   if (roots.empty()) return {Verdict::empty, Rung::algebra, std::monostate{}, {}};
@@ -53,7 +51,7 @@ Cell_decision<1> real_root_in(const Polynomial<Integer, 1>& g, const Rational_in
   std::vector<Polynomial<Rational, 1>::Term> terms;
   for (std::size_t i = 0; i < free->size(); ++i)
     if ((*free)[i] != 0) {
-      Rational c((*free)[i], free->back());
+      Rational c((*free)[i], free->lead());
       c.canonicalize();
       terms.push_back({{detail::to_exponent(i)}, c});
     }

@@ -27,9 +27,9 @@ struct Corner_signs
   }
 };
 
-/// Of power coefficients on [0,1]^D.
+/// On [0,1]^D.
 template <std::size_t D>
-[[nodiscard]] Corner_signs<D> corner_signs_of_powers(const Bernstein_form<D>& power)
+[[nodiscard]] Corner_signs<D> corner_signs(const Power_form<D>& power)
 {
   std::array<Integer, 1U << D> sums; // of the coefficients of all terms with just these variables
   std::array<std::size_t, D> exponents{};

@@ -42,13 +42,12 @@ template <std::size_t D>
       affine_substitution(transform<Rational>(f, [](const Integer& c) { return Rational(c); }), offset, scale));
 }
 
-/// The Bernstein form on one cell. \param form  power coefficients in grid coordinates.
+/// The Bernstein form on one cell. \param form  in grid coordinates.
 template <std::size_t D>
-[[nodiscard]] Bernstein_form<D> on_cell(Bernstein_form<D> form, const Cell<D>& cell)
+[[nodiscard]] Bernstein_form<D> on_cell(Power_form<D> form, const Cell<D>& cell)
 {
-  for (std::size_t axis = 0; axis < D; ++axis) shift_power_form(form, axis, cell[axis]);
-  to_bernstein(form);
-  return form;
+  for (std::size_t axis = 0; axis < D; ++axis) shift(form, axis, cell[axis]);
+  return to_bernstein(std::move(form));
 }
 
 /// \brief What the threads of a crew share. It outlives the crew where a thread is left to itself.

@@ -25,13 +25,13 @@ struct Cell_decider<D>::State
 {
   State(const Polynomial<Rational, D>& f, const Grid<D>& the_grid, const Checkpoint& checkpoint, Witnesses witnesses)
       : grid(the_grid), free(square_free_part(f)),
-        form(exact::dense_power_form(exact::in_grid_coordinates(free, the_grid))),
+        form(exact::power_form(exact::in_grid_coordinates(free, the_grid))),
         has_few_terms(free.terms().size() * worth_moving < exact::dense_size(free)),
         zeros([g = free] { return g; }, checkpoint, witnesses)
   {}
 
   /// What intervals say of a cell. \param sign  that of all corners.
-  [[nodiscard]] std::optional<Cell_decision<D>> decide_by_intervals(const exact::Bernstein_form<D>& power, int sign,
+  [[nodiscard]] std::optional<Cell_decision<D>> decide_by_intervals(const exact::Power_form<D>& power, int sign,
                                                                     const Rational_box<D>& box)
   {
     using Kind = typename exact::Finding<D>::Kind;
@@ -71,7 +71,7 @@ struct Cell_decider<D>::State
   }
 
   /// Whether MPFR is so much faster than the integers that trying it pays.
-  [[nodiscard]] static bool is_wide(const exact::Bernstein_form<D>& power)
+  [[nodiscard]] static bool is_wide(const exact::Power_form<D>& power)
   {
     return std::any_of(power.values.begin(), power.values.end(),
                        [](const Integer& c) { return mpz_sizeinbase(c.get_mpz_t(), 2) > 1024; });
@@ -114,17 +114,16 @@ const Polynomial<Integer, D>& Cell_decider<D>::square_free() const
 template <std::size_t D>
 Cell_decision<D> Cell_decider<D>::decide(const Cell<D>& cell)
 {
+  state_->grid.require(cell, "exact decision");
   const auto box = state_->grid.cell_box(cell);
   if (state_->has_few_terms)
     if (const auto corners = exact::corner_signs_of_terms(state_->free, box); corners.common() == 0)
       return {Verdict::hit, Rung::integers, exact::corner_witness(corners, box), {}};
   const auto& power = state_->form.on_cell(cell);
-  const auto corners = exact::corner_signs_of_powers(power);
+  const auto corners = exact::corner_signs(power);
   if (corners.common() == 0) return {Verdict::hit, Rung::integers, exact::corner_witness(corners, box), {}};
   if (auto decision = state_->decide_by_intervals(power, corners.common(), box)) return *decision;
-  auto form = power;
-  exact::to_bernstein(form);
-  return exact::within_budget<D>([&] { return state_->zeros.decide(form, box); });
+  return exact::within_budget<D>([&] { return state_->zeros.decide(exact::to_bernstein(power), box); });
 }
 
 namespace {
@@ -135,7 +134,7 @@ class Integer_decider
 {
 public:
   Integer_decider(const Polynomial<Integer, D>& free, const Grid<D>& grid, const Checkpoint& checkpoint)
-      : grid_(grid), form_(exact::dense_power_form(exact::in_grid_coordinates(free, grid))),
+      : grid_(grid), form_(exact::power_form(exact::in_grid_coordinates(free, grid))),
         zeros_(std::make_unique<exact::Zero_set<D>>([free] { return free; }, checkpoint, Witnesses::simple))
   {}
 
@@ -146,7 +145,7 @@ public:
 
 private:
   Grid<D> grid_;
-  exact::Bernstein_form<D> form_; ///< power coefficients in grid coordinates
+  exact::Power_form<D> form_; ///< in grid coordinates
   std::unique_ptr<exact::Zero_set<D>> zeros_;
 };
 
@@ -156,6 +155,7 @@ template <std::size_t D>
 Ideal_raster<D> ideal_raster(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Cell_set<D>& candidates,
                              const Ideal_raster_options& options)
 {
+  candidates.require_grid(grid, "ideal raster");
   auto raster = exact::decide_cells(candidates, options, [f, grid](const Checkpoint& checkpoint) {
     return Cell_decider<D>(f, grid, checkpoint, Witnesses::simple);
   });

@@ -18,7 +18,7 @@ template <std::size_t D>
 struct System_decider<D>::State
 {
   Grid<D> grid;
-  std::vector<exact::Bernstein_form<D>> forms; ///< power coefficients in grid coordinates
+  std::vector<exact::Power_form<D>> forms; ///< in grid coordinates
   exact::Common_zeros<D> zeros;
 };
 
@@ -30,10 +30,10 @@ System_decider<D>::System_decider(const std::vector<Polynomial<Rational, D>>& sy
     throw Invalid_input("exact decision: a system of " + detail::quantity(system.size(), "polynomial")
                         + "; expected one or two");
   for (const auto& f : system) exact::require_nonzero(f.is_zero(), "exact decision");
-  std::vector<exact::Bernstein_form<D>> forms;
+  std::vector<exact::Power_form<D>> forms;
   forms.reserve(system.size());
   for (const auto& f : system)
-    forms.push_back(exact::dense_power_form(exact::in_grid_coordinates(integer_primitive(f), grid)));
+    forms.push_back(exact::power_form(exact::in_grid_coordinates(integer_primitive(f), grid)));
   state_ = std::make_unique<State>(
       State{grid, std::move(forms),
             exact::Common_zeros<D>(integer_primitive(system.front()), integer_primitive(system.back()),
@@ -50,6 +50,7 @@ System_decider<D>::~System_decider() = default;
 template <std::size_t D>
 Cell_decision<D> System_decider<D>::decide(const Cell<D>& cell)
 {
+  state_->grid.require(cell, "exact decision");
   for (const auto& form : state_->forms)
     if (exact::sign_pattern(exact::on_cell(form, cell)).closed() != 0)
       return {Verdict::empty, Rung::integers, Bounded_away{}, {}};
@@ -60,6 +61,7 @@ template <std::size_t D>
 Ideal_raster<D> ideal_raster(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
                              const Cell_set<D>& candidates, const Ideal_raster_options& options)
 {
+  candidates.require_grid(grid, "ideal raster");
   const auto make_decider = [system, grid](const Checkpoint& checkpoint) {
     return System_decider<D>(system, grid, checkpoint, Witnesses::simple);
   };

@@ -55,7 +55,7 @@ Polynomial<Rational, D> monic(const Integer_polynomial& p, std::size_t axis)
   for (std::size_t i = 0; i < p.size(); ++i) {
     Exponents<D> exponents{};
     exponents[axis] = detail::to_exponent(i);
-    terms.push_back({exponents, Rational(p[i]) / p.back()});
+    terms.push_back({exponents, Rational(p[i]) / p.lead()});
   }
   return collect<Rational, D>(std::move(terms));
 }

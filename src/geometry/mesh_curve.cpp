@@ -27,11 +27,11 @@ Rational rational(const Integer& c) { return c; }
 
 /// First cuts that no curve drawn by people has for a special coordinate; dyadic with few bits.
 constexpr std::array<std::array<double, 2>, 6> first_cuts{{{265.0 / 512, 247.0 / 512},
-                                                          {243.0 / 512, 271.0 / 512},
-                                                          {277.0 / 512, 239.0 / 512},
-                                                          {233.0 / 512, 281.0 / 512},
-                                                          {287.0 / 512, 227.0 / 512},
-                                                          {221.0 / 512, 291.0 / 512}}};
+                                                           {243.0 / 512, 271.0 / 512},
+                                                           {277.0 / 512, 239.0 / 512},
+                                                           {233.0 / 512, 281.0 / 512},
+                                                           {287.0 / 512, 227.0 / 512},
+                                                           {221.0 / 512, 291.0 / 512}}};
 
 void require_meshable(const Polynomial<Rational, 2>& f, const Rational_box<2>& box, const Mesh_options& options)
 {
@@ -60,8 +60,7 @@ Parts without_sides(const Polynomial<Rational, 2>& f, const Rational_box<2>& box
       const Rational& value = end == 0 ? box[normal].lower() : box[normal].upper();
       if (parts.rest.is_constant() || !exact::restriction(parts.rest, normal, value).is_zero()) continue;
       auto by_other = exact::bivariate(parts.rest, 1 - normal);
-      for (auto& c : by_other)
-        if (!c.empty()) c = exact_quotient(c, {-value.get_num(), value.get_den()});
+      for (auto& c : by_other) c = exact_quotient(c, {-value.get_num(), value.get_den()});
       parts.rest = exact::polynomial(by_other, 1 - normal);
       parts.side[normal][end] = true;
     }
@@ -206,7 +205,8 @@ Curve_mesh mesh_curve(const Polynomial<Rational, 2>& f, const Rational_box<2>& b
     Rational_box<2> region;
     for (std::size_t k = 0; k < 2; ++k) {
       const Rational width = box[k].upper() - box[k].lower();
-      region[k] = {box[k].lower() + width * Rational(doubt.box[k].low), box[k].lower() + width * Rational(doubt.box[k].high)};
+      region[k] = {box[k].lower() + width * Rational(doubt.box[k].low),
+                   box[k].lower() + width * Rational(doubt.box[k].high)};
     }
     mesh.uncertified.push_back({region, doubt.reason});
   }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include <corral/errors.h>
 #include <corral/number/Double_bracket.h>
 
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 namespace corral {
@@ -66,6 +68,39 @@ Double_bracket bracket(const Rational& value)
   if (sgn(value) > 0) return bracket_of_positive(value);
   const auto mirrored = bracket_of_positive(-value);
   return {-mirrored.above, -mirrored.nearest, -mirrored.below};
+}
+
+Double_bracket bracket(const Integer& mantissa, long exponent)
+{
+  if (sgn(mantissa) == 0) return {};
+  const long length = bits(mantissa);
+  const long unit = exponent + std::max(0L, length - Limits::digits);
+  if (unit <= least_unit || unit >= greatest_unit) { // the ends of the range
+    const bool positive = sgn(mantissa) > 0;
+    if (length + exponent < least_unit)
+      return positive ? Double_bracket{0, 0, Limits::denorm_min()} : Double_bracket{-Limits::denorm_min(), 0, 0};
+    if (length + exponent > Limits::max_exponent) return bracket(positive ? Limits::infinity() : -Limits::infinity());
+    const Rational value(mantissa);
+    return bracket(exponent < 0 ? Rational(value >> static_cast<mp_bitcnt_t>(-exponent))
+                                : Rational(value << static_cast<mp_bitcnt_t>(exponent)));
+  }
+  const auto dropped = static_cast<mp_bitcnt_t>(unit - exponent);
+  Integer floor;
+  mpz_fdiv_q_2exp(floor.get_mpz_t(), mantissa.get_mpz_t(), dropped);
+  const double below = std::ldexp(floor.get_d(), static_cast<int>(unit));
+  const mp_bitcnt_t lowest = mpz_scan1(mantissa.get_mpz_t(), 0);
+  if (lowest >= dropped) return {below, below, below};
+  const double above = std::ldexp(floor.get_d() + 1, static_cast<int>(unit));
+  const bool is_tie = lowest + 1 == dropped;
+  const bool upward =
+      mpz_tstbit(mantissa.get_mpz_t(), dropped - 1) != 0 && (!is_tie || mpz_odd_p(floor.get_mpz_t()) != 0);
+  return {below, upward ? above : below, above};
+}
+
+void detail::refuse_order(std::string_view who, double lower, double upper)
+{
+  throw Invalid_input(std::string(who) + ": given the end points " + std::to_string(lower) + " and "
+                      + std::to_string(upper) + "; expected lower <= upper");
 }
 
 } // namespace corral

@@ -2,6 +2,8 @@
 #include <corral/errors.h>
 #include <corral/number/Mpfr_interval.h>
 
+#include <cmath>
+#include <limits>
 #include <string>
 
 namespace corral {
@@ -24,6 +26,24 @@ Mpfr_range_scope::~Mpfr_range_scope()
 {
   mpfr_set_emin(least_);
   mpfr_set_emax(greatest_);
+}
+
+void Mpfr_interval::set(double value)
+{
+  constexpr double largest = std::numeric_limits<double>::max();
+  if (std::isinf(value))
+    mpfi_interv_d(value_, std::fmin(value, largest), std::fmax(value, -largest));
+  else
+    mpfi_set_d(value_, value);
+}
+
+Mpfr_interval Interval_traits<Mpfr_interval>::intersection(const Mpfr_interval& a, const Mpfr_interval& b)
+{
+  Mpfr_interval result(Mpfr_interval::Bits{std::max(a.precision(), b.precision())});
+  mpfr_max(&result.value_->left, a.lower(), b.lower(), MPFR_RNDD);
+  mpfr_min(&result.value_->right, a.upper(), b.upper(), MPFR_RNDU);
+  if (mpfr_greater_p(result.lower(), result.upper()) != 0) mpfr_swap(&result.value_->left, &result.value_->right);
+  return result;
 }
 
 std::optional<Rational> Interval_traits<Mpfr_interval>::exact(mpfr_srcptr end)

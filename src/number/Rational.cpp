@@ -3,6 +3,7 @@
 #include <corral/number/Rational.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace corral {
@@ -144,7 +145,33 @@ private:
   std::size_t at_ = 0;
 };
 
+Rational from_magnitude(unsigned long long magnitude)
+{
+  Rational result;
+  mpz_import(result.get_num_mpz_t(), 1, 1, sizeof magnitude, 0, 0, &magnitude);
+  return result;
+}
+
 } // namespace
+
+Rational exact_value(double value)
+{
+  if (!std::isfinite(value))
+    throw Invalid_input(std::string("rational: given ")
+                        + (std::isnan(value) ? "nan"
+                           : value < 0       ? "-inf"
+                                             : "inf")
+                        + "; expected a finite number");
+  return Rational(value);
+}
+
+Rational exact_value(unsigned long long value) { return from_magnitude(value); }
+
+Rational exact_value(long long value)
+{
+  if (value >= 0) return from_magnitude(static_cast<unsigned long long>(value));
+  return -from_magnitude(0 - static_cast<unsigned long long>(value));
+}
 
 Rational parse_rational(std::string_view text) { return Number_reader(text).read(); }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include <corral/errors.h>
 #include <corral/number/format.h>
 
 #include <cmath>
@@ -58,6 +59,7 @@ std::string decimal_of_positive(const Rational& value, int digits, bool upward)
 
 std::string decimal(const Rational& value, int digits, bool upward)
 {
+  if (digits < 1) throw Invalid_input("decimal: given " + std::to_string(digits) + " digits; expected at least 1");
   if (sgn(value) == 0) return "0";
   if (sgn(value) > 0) return decimal_of_positive(value, digits, upward);
   return std::string("-").append(decimal_of_positive(-value, digits, !upward));
@@ -67,6 +69,8 @@ std::string decimal(const Rational& value, int digits, bool upward)
 
 std::string to_hex_float(const Rational& value)
 {
+  if (mpz_popcount(value.get_den_mpz_t()) != 1)
+    throw Invalid_input("to_hex_float: given " + to_string(value) + "; expected a denominator that is a power of two");
   if (sgn(value) == 0) return "0x0p+0";
   Integer mantissa = abs(value.get_num());
   const long exponent = bits(mantissa) - bits(value.get_den());

@@ -5,4 +5,5 @@ target_sources(corral PRIVATE
   number/Outward_rounding.cpp
   number/Prime_field.cpp
   number/Rational.cpp
+  number/build_mode.cpp
   number/format.cpp)

@@ -45,7 +45,8 @@ template <std::size_t D>
     if (verdict == Verdict::hit) found.hit |= mask;
   });
   for (const auto& [index, block] : blocks) view.cells.append(block);
-  return view; // the map is sorted as the set must be
+  view.cells.finish();
+  return view;
 }
 
 } // namespace corral

@@ -33,6 +33,7 @@ Integer Line_substitution::denominator() const
 
 void Line_substitution::apply(std::vector<Integer>& coefficients) const
 {
+  CORRAL_PRECONDITION(coefficients.size() == factors_.size(), "Line_substitution: expected degree + 1 coefficients");
   std::size_t size = coefficients.size();
   const std::size_t degree = size - 1;
   while (size > 0 && coefficients[size - 1] == 0) --size;

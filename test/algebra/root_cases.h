@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// \file
@@ -39,12 +40,12 @@ inline Integer_polynomial wilkinson(unsigned n)
 /// x^n - 2 (a x - 1)^2: two roots near 1/a, about a^(-n/2-1) apart.
 inline Integer_polynomial mignotte(unsigned n, const Integer& a)
 {
-  Integer_polynomial result(n + 1);
+  std::vector<Integer> result(n + 1);
   result[n] = 1;
   result[0] -= 2;
   result[1] += 4 * a;
   result[2] -= 2 * a * a;
-  return result;
+  return Integer_polynomial(std::move(result));
 }
 
 inline Integer_polynomial chebyshev(unsigned n)
@@ -52,17 +53,17 @@ inline Integer_polynomial chebyshev(unsigned n)
   Integer_polynomial last = {1};
   Integer_polynomial current = {0, 1};
   for (unsigned i = 1; i < n; ++i) {
-    auto next = corral::multiply(current, {0, 2});
+    auto next = corral::multiply(current, {0, 2}).coefficients();
     for (std::size_t j = 0; j < last.size(); ++j) next[j] -= last[j];
     last = std::move(current);
-    current = std::move(next);
+    current = Integer_polynomial(std::move(next));
   }
   return current;
 }
 
 inline Integer_polynomial random_polynomial(std::mt19937_64& random, unsigned degree, unsigned bits)
 {
-  Integer_polynomial p(degree + 1);
+  std::vector<Integer> p(degree + 1);
   for (Integer& c : p) {
     c = 0;
     for (unsigned b = 0; b < bits; b += 32) c = (c << 32) + static_cast<unsigned long>(random() & 0xffffffffU);
@@ -70,7 +71,7 @@ inline Integer_polynomial random_polynomial(std::mt19937_64& random, unsigned de
     if ((random() & 1) != 0) c = -c;
   }
   if (p.back() == 0) p.back() = 1;
-  return p;
+  return Integer_polynomial(std::move(p));
 }
 
 inline std::vector<Case> hard_cases()

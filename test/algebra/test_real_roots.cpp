@@ -138,7 +138,7 @@ TEST(Integer_polynomial, greatest_common_divisors_are_exact)
 {
   std::mt19937_64 random(5);
   for (unsigned round = 0; round < 50; ++round) {
-    const auto common = primitive_part(root_cases::random_polynomial(random, 1 + round % 6, 90));
+    const auto common = normalized(root_cases::random_polynomial(random, 1 + round % 6, 90));
     const auto p = multiply(common, root_cases::random_polynomial(random, 5, 200));
     const auto q = multiply(common, root_cases::random_polynomial(random, 7, 20));
     EXPECT_EQ(greatest_common_divisor(p, q), common) << round; // random cofactors are coprime
@@ -147,9 +147,10 @@ TEST(Integer_polynomial, greatest_common_divisors_are_exact)
 
 TEST(Integer_polynomial, encloses_values_of_high_degree_with_rounding)
 {
-  Integer_polynomial p(200);
-  for (std::size_t i = 0; i < p.size(); ++i)
-    p[i] = Integer((static_cast<long>(i * i) % 1009 - 500)) * (Integer(1) << (i % 90)) + 1;
+  std::vector<Integer> coefficients(200);
+  for (std::size_t i = 0; i < coefficients.size(); ++i)
+    coefficients[i] = Integer((static_cast<long>(i * i) % 1009 - 500)) * (Integer(1) << (i % 90)) + 1;
+  const Integer_polynomial p(std::move(coefficients));
   for (const Rational& middle : {Rational(1, 3), Rational(-7, 5), Rational(13, 10), Rational(-100, 7)}) {
     Rational last_width = 0;
     for (unsigned digits = 10; digits <= 60; digits += 10) {

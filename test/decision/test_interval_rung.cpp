@@ -82,8 +82,7 @@ template <std::size_t D>
 Verdict truth(const Polynomial<Integer, D>& f)
 {
   const auto free = square_free_part(f);
-  auto form = dense_power_form(free);
-  to_bernstein(form);
+  const auto form = to_bernstein(power_form(free));
   return Zero_set<D>([&] { return free; }, {}, Witnesses::simple).decide(form, unit_box<D>()).verdict;
 }
 
@@ -103,15 +102,15 @@ Tally compare(Source& random, int rounds, long precision, bool without_remainder
   for (int round = 0; round < rounds; ++round) {
     const auto f = near_square<D>(random);
     if (f.is_constant()) continue;
-    auto power = dense_power_form(f);
-    const int sign = corner_signs_of_powers(power).common();
+    auto power = power_form(f);
+    const int sign = corner_signs(power).common();
     if (sign == 0) continue;
     if (without_remainder) {
       std::size_t most = 0;
       for (const Integer& c : power.values) most = std::max(most, mpz_sizeinbase(c.get_mpz_t(), 2));
       for (Integer& c : power.values)
         if (mpz_sizeinbase(c.get_mpz_t(), 2) + static_cast<std::size_t>(precision) <= most) c = 0;
-      if (corner_signs_of_powers(power).common() != sign) continue;
+      if (corner_signs(power).common() != sign) continue;
     }
     const auto finding = rung.look_for_zero(power, sign);
     using Kind = typename Finding<D>::Kind;

@@ -22,7 +22,7 @@ struct Range_enclosure
 /// Both ends of `inner` are values of f in the box; `outer` exceeds them by at most `tolerance`. In one variable the
 /// extreme values are those at the ends and at the roots of the derivative, which are refined; in two and three the box
 /// is cut, where the bound is worst, until the Bernstein coefficients of every part are close enough. All arithmetic is
-/// exact. A side of the box may be a point. \pre tolerance > 0. \throw Invalid_input if it is not; Budget_exceeded if
+/// exact. A side of the box may be a point. \throw Invalid_input if it is not; Budget_exceeded if
 /// more than 200000 parts are needed;
 ///      whatever `checkpoint` throws.
 /// \par Complexity  The parts needed grow like log(1/tolerance) around isolated extreme points, and like a root of
@@ -30,6 +30,12 @@ struct Range_enclosure
 template <std::size_t D>
 [[nodiscard]] Range_enclosure exact_range(const Polynomial<Rational, D>& f, const Rational_box<D>& box,
                                           const Rational& tolerance, const Checkpoint& checkpoint = {});
+
+/// Higher dimensions do not compile: the number of parts would be out of reach.
+template <std::size_t D>
+  requires(D > 3)
+[[nodiscard]] Range_enclosure exact_range(const Polynomial<Rational, D>&, const Rational_box<D>&, const Rational&,
+                                          const Checkpoint& = {}) = delete;
 
 } // namespace corral
 

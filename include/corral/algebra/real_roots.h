@@ -20,7 +20,10 @@ namespace corral {
 class Real_root
 {
 public:
-  /// \pre As above; `polynomial` is square-free.
+  /// \throw Invalid_input unless the interval is a point or the signs at its ends are opposite.
+  /// \pre The point is a root; `polynomial` is square-free. That no other root is in the interval is left to the
+  /// caller:
+  ///      to see it costs as much as to isolate.
   Real_root(std::shared_ptr<const Integer_polynomial> polynomial, Rational_interval interval, unsigned multiplicity);
 
   [[nodiscard]] const Rational& lower() const { return interval_.lower(); }
@@ -37,7 +40,7 @@ public:
   /// \par Complexity  Quadratic convergence in the end: a few signs of the polynomial for each call, which then
   /// squares the number of parts it cuts. \par Reference  Abbott 2006, "Quadratic interval refinement".
   void refine();
-  /// Refines until upper() - lower() <= width. \pre width > 0.
+  /// Refines until upper() - lower() <= width. \throw Invalid_input unless width > 0.
   void refine_to(const Rational& width);
   /// \brief Decides whether the root is rational, and makes the interval a point if it is.
   bool make_rational();
@@ -78,8 +81,8 @@ private:
 [[nodiscard]] std::vector<Real_root> isolate_real_roots(const Integer_polynomial& p, const Rational_interval& interval,
                                                         const Checkpoint& checkpoint = {});
 
-/// As above, for a polynomial that is known to be square-free; saves the decomposition. \pre p is square-free, not
-/// zero.
+/// As above, for a polynomial that is known to be square-free; saves the decomposition.
+/// \throw Invalid_input if p is zero. \pre p is square-free.
 [[nodiscard]] std::vector<Real_root> isolate_simple_roots(const std::shared_ptr<const Integer_polynomial>& p,
                                                           const Rational_interval& interval,
                                                           const Checkpoint& checkpoint = {});
@@ -90,14 +93,15 @@ private:
 /// How many distinct real roots p has in the closed interval. \throw Invalid_input if p is zero.
 [[nodiscard]] std::size_t count_real_roots(const Integer_polynomial& p, const Rational_interval& interval);
 
-/// A power of two above the absolute value of every root. \pre p is not zero. \par Reference  Fujiwara 1916.
+/// A power of two above the absolute value of every root. \throw Invalid_input if p is zero. \par Reference  Fujiwara
+/// 1916.
 [[nodiscard]] Integer root_bound(const Integer_polynomial& p);
 
 /// The number of changes of sign in a list, zeros ignored.
 [[nodiscard]] std::size_t sign_variations(const std::vector<Integer>& values);
 
 /// \brief The Bernstein coefficients of p over [0, 1], all times the same positive integer.
-/// \pre p is not empty.
+/// \throw Invalid_input if p is zero.
 [[nodiscard]] std::vector<Integer> bernstein_coefficients(const Integer_polynomial& p);
 
 /// The rational with the smallest denominator in a closed interval. \par Reference  Stern and Brocot.

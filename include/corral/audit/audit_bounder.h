@@ -60,36 +60,6 @@ struct Bounder_audit
 
 namespace detail {
 
-/// Whether an end point is no number at all, where the interval lets doubles be seen.
-template <class I>
-[[nodiscard]] bool is_no_number(const I& x)
-{
-  if constexpr (requires { requires std::convertible_to<decltype(x.lower()), double>; })
-    return std::isnan(static_cast<double>(x.lower())) || std::isnan(static_cast<double>(x.upper()));
-  else if constexpr (requires { requires IntervalNumber<std::remove_cvref_t<decltype(x.value())>>; })
-    return is_no_number(x.value());
-  else
-    return false;
-}
-
-} // namespace detail
-
-/// \brief Whether `x` is an interval at all and contains the value.
-///
-/// Unlike `contains`, which takes every end point that is no rational for an infinity of the right sign, this trusts
-/// nothing: neither an end point that is not a number nor one at the wrong infinity encloses anything.
-/// \par Complexity  Two comparisons of rationals.
-template <IntervalNumber I>
-[[nodiscard]] bool encloses(const I& x, const Rational& value)
-{
-  if (detail::is_no_number(x)) return false;
-  const bool lower_is_sound = exact_lower(x) || Interval_traits<I>::lower_sign(x) < 0;
-  const bool upper_is_sound = exact_upper(x) || Interval_traits<I>::upper_sign(x) > 0;
-  return lower_is_sound && upper_is_sound && contains(x, value);
-}
-
-namespace detail {
-
 template <IntervalNumber I, std::size_t D>
 [[nodiscard]] Polynomial<I, D> enclose_coefficients(const Polynomial<Rational, D>& f)
 {
@@ -118,8 +88,8 @@ void audit_inclusion(const Make& make, const Audit_case<D>& example, std::uint64
   for (const auto& probed : example.boxes) {
     const I bound = bounder.bound(enclose<I>(probed.box));
     audit.checks += probed.points;
-    const bool lost_least = !encloses(bound, probed.least);
-    if (!lost_least && encloses(bound, probed.greatest)) continue;
+    const bool lost_least = !contains(bound, probed.least);
+    if (!lost_least && contains(bound, probed.greatest)) continue;
     ++audit.escapes;
     if (!audit.first_escape)
       audit.first_escape = Escape<D>{number,

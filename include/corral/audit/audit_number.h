@@ -4,13 +4,18 @@
 
 #include <corral/audit/Audit_options.h>
 #include <corral/audit/Trouble_source.h>
+#include <corral/errors.h>
 #include <corral/number/Interval_number.h>
 #include <corral/number/Rational_interval.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace corral {
@@ -52,6 +57,7 @@ public:
     check_hull(x, y);
     check_unary(x);
     check_binary(x, y);
+    check_constructors();
   }
 
   /// How many exact values were looked for in a result.
@@ -119,9 +125,62 @@ private:
     expect(same(joined, low ? std::optional(std::min(low->first, low->second)) : std::nullopt,
                 high ? std::optional(std::max(high->first, high->second)) : std::nullopt),
            "hull", x, &y, &joined);
+    check_intersection(x, y);
     for (const auto& value : x.values) {
       expect_value(hull_with_zero(x.interval), value, "hull_with_zero", x);
       expect_value(symmetric_hull(x.interval), -value, "symmetric_hull", x);
+    }
+  }
+
+  void check_intersection(const Operand& x, const Operand& y)
+  {
+    auto low = greater(exact_lower(x.interval), exact_lower(y.interval));
+    auto high = lesser(exact_upper(x.interval), exact_upper(y.interval));
+    if (low && high && *low > *high) std::swap(low, high);
+    const I common = intersection(x.interval, y.interval);
+    expect(same(common, low, high), "intersection", x, &y, &common);
+  }
+
+  /// Built-in numbers, which must become the tightest intervals around them.
+  void check_constructors()
+  {
+    const double number = std::ldexp(source_.full_mantissa().get_d(), static_cast<int>(source_.integer(-1074, 1020)));
+    check_constructor(number);
+    check_constructor(static_cast<float>(source_.integer(-(1L << 24), 1L << 24)));
+    const long integer = source_.integer(std::numeric_limits<long>::min(), std::numeric_limits<long>::max());
+    check_constructor(integer);
+    check_constructor(static_cast<long long>(integer));
+    check_constructor(static_cast<unsigned long>(integer));
+    check_constructor(static_cast<unsigned long long>(integer));
+    check_constructor(static_cast<int>(integer));
+    check_constructor(static_cast<unsigned>(integer));
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const Rational beyond(Integer(1) << 1024);
+    check_infinite(infinity, beyond);
+    check_infinite(-infinity, -beyond);
+    check_infinite(std::numeric_limits<double>::quiet_NaN(), std::nullopt);
+  }
+
+  template <MachineNumber T>
+  void check_constructor(T value)
+  {
+    ++checks_;
+    const Operand exactly{Rational_interval(value), enclose<I>(exact_value(value)), {}};
+    const I made = value;
+    expect(same(made, exact_lower(exactly.interval), exact_upper(exactly.interval)), "constructor", exactly, nullptr,
+           &made);
+  }
+
+  /// An infinity stands for every number beyond the largest double, "not a number" for any; or both are refused.
+  void check_infinite(double value, const std::optional<Rational>& stands_for)
+  {
+    ++checks_;
+    try {
+      const I made = value;
+      const bool is_open = stands_for ? contains(made, *stands_for) : !exact_lower(made) && !exact_upper(made);
+      expect(is_open && strict_sign(made) == (stands_for ? sgn(*stands_for) : 0),
+             "constructor (infinite or not a number)", {}, nullptr, &made);
+    } catch (const Invalid_input&) {
     }
   }
 
@@ -186,6 +245,15 @@ private:
                                                            const std::optional<Rational>& b)
   {
     return a && b ? std::optional(std::pair(*a, *b)) : std::nullopt;
+  }
+
+  static std::optional<Rational> greater(const std::optional<Rational>& a, const std::optional<Rational>& b)
+  {
+    return a && b ? std::max(*a, *b) : a ? a : b;
+  }
+  static std::optional<Rational> lesser(const std::optional<Rational>& a, const std::optional<Rational>& b)
+  {
+    return a && b ? std::min(*a, *b) : a ? a : b;
   }
 
   static bool same(const I& x, const std::optional<Rational>& low, const std::optional<Rational>& high)

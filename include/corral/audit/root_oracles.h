@@ -7,11 +7,25 @@
 #include <corral/polynomial/Polynomial.h>
 
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 /// \file
 /// Other people's exact root finders, against which Corral's own is tested. Library target `Corral::oracles`.
 namespace corral {
+
+/// How many distinct real roots a polynomial that is not zero has.
+using Count_real_roots = std::size_t(const Integer_polynomial& p);
+
+/// One maker's way to count.
+struct Root_oracle
+{
+  std::string_view name;
+  Count_real_roots* count;
+};
+
+/// All of them; the list is in `src/audit/sources.cmake`.
+[[nodiscard]] std::vector<Root_oracle> root_oracles();
 
 /// What an oracle says of one real root: the only one in the closed interval.
 struct Oracle_root
@@ -28,9 +42,6 @@ struct Oracle_root
 /// \pre f and g are not constant and have no common factor; width > 0.
 [[nodiscard]] std::vector<Rational_box<2>> cgal_common_zeros(const Polynomial<Integer, 2>& f,
                                                              const Polynomial<Integer, 2>& g, const Rational& width);
-
-/// \brief How many distinct real roots p has, by Sturm's theorem in FLINT. \pre p is not zero.
-[[nodiscard]] std::size_t flint_count_real_roots(const Integer_polynomial& p);
 
 } // namespace corral
 

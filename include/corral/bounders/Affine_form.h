@@ -22,7 +22,9 @@ class Affine_form
 {
 public:
   Affine_form() = default;
-  Affine_form(int value) : centre_(value) {}
+  template <MachineNumber T>
+  Affine_form(T value) : centre_(value)
+  {}
   explicit Affine_form(I value) : centre_(std::move(value)) {}
 
   /// centre + radius * e_axis.

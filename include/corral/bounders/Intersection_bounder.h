@@ -10,25 +10,6 @@
 
 namespace corral {
 
-/// \brief The intersection of two intervals, where they are known to share an element.
-///
-/// Two intervals without a common element, as rounding to nearest may give, yield the gap between them.
-template <IntervalNumber I>
-[[nodiscard]] I intersection(const I& a, const I& b)
-{
-  const auto a_low = exact_lower(a);
-  const auto b_low = exact_lower(b);
-  const auto a_high = exact_upper(a);
-  const auto b_high = exact_upper(b);
-  const bool a_is_above = a_low && (!b_low || *a_low >= *b_low);
-  const bool a_is_below = a_high && (!b_high || *a_high <= *b_high);
-  if (!a_low && !b_low) return a_is_below ? a : b;
-  if (!a_high && !b_high) return a_is_above ? a : b;
-  if (a_is_above && a_is_below) return a;
-  if (!a_is_above && !a_is_below) return b;
-  return a_is_above ? hull(lower(a), upper(b)) : hull(lower(b), upper(a));
-}
-
 /// \brief Model of `RangeBounder`: the intersection of the bounds of several methods.
 /// \par Complexity  That of all of them together.
 template <RangeBounder First, RangeBounder... Others>

@@ -68,6 +68,8 @@ private:
   static I range_of_power(const I& x, unsigned n)
   {
     if (n == 1) return x;
+    CORRAL_PRECONDITION(exact_lower(x) && exact_upper(x),
+                        "natural: given a box with an infinite side; expected finite ones");
     return n % 2 == 0 ? power(x, n) : hull(power(lower(x), n), power(upper(x), n));
   }
 

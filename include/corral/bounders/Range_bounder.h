@@ -14,7 +14,7 @@ namespace corral {
 
 /// \brief Encloses the values of one fixed polynomial f over any box.
 ///
-/// The compiler checks the syntax; `verification/audit_bounder.h` checks the contract:
+/// The compiler checks the syntax; `audit/audit_bounder.h` checks the contract:
 ///  - inclusion: `bound(X)` contains g(x) for every real x in X and every real polynomial g whose coefficients lie
 ///    in those of f, rounding included if the interval number is guaranteed;
 ///  - X may be flat or a point; its sides are finite;
@@ -35,10 +35,13 @@ concept RangeBounder =
   };
 // clang-format on
 
-/// \brief A number near the middle of `x`, as a point interval; rounding may put it outside `x`. \pre `x` is finite.
+/// \brief A number near the middle of `x`, as a point interval; rounding may put it outside `x`.
+/// \pre `x` is finite. Every bounder that expands about a centre asks for it, so that none looks at its box itself.
 template <IntervalNumber I>
 [[nodiscard]] I midpoint(const I& x)
 {
+  CORRAL_PRECONDITION(exact_lower(x) && exact_upper(x),
+                      "bounder: given a box with an infinite side; expected finite ones");
   const I half = enclose<I>(Rational(1, 2));
   return lower(I(lower(x) * half + upper(x) * half)); // halved first, so that the sum does not overflow
 }
@@ -47,6 +50,8 @@ template <IntervalNumber I>
 template <IntervalNumber I>
 [[nodiscard]] I radius(const I& x, const I& centre)
 {
+  CORRAL_PRECONDITION(exact_lower(x) && exact_upper(x),
+                      "bounder: given a box with an infinite side; expected finite ones");
   return upper(symmetric_hull(I(x - centre)));
 }
 

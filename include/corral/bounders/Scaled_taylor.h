@@ -81,7 +81,7 @@ public:
     std::vector<typename Polynomial<I, D>::Term> terms;
     terms.reserve(monomials_.size());
     for (const auto& [exponents, place] : monomials_) terms.push_back({exponents, std::move(values[place])});
-    result.taylor = Polynomial<I, D>(std::move(terms));
+    result.taylor = Polynomial<I, D>(Sorted_terms(), std::move(terms));
     return result;
   }
 

@@ -21,7 +21,7 @@ template <IntervalNumber I, std::size_t D, class Range_of_term>
   auto terms = f.taylor.terms();
   for (auto& term : terms)
     if (term.exponents != Exponents<D>{}) term.coefficient = range_of_term(term.exponents, term.coefficient);
-  return evaluate(Polynomial<I, D>(std::move(terms)), f.radius);
+  return evaluate(Polynomial<I, D>(Sorted_terms(), std::move(terms)), f.radius);
 }
 
 } // namespace corral

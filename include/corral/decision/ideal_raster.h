@@ -33,6 +33,9 @@ namespace corral {
 template <std::size_t D>
 class Cell_decider
 {
+  static_assert(D >= 1 && D <= 3, "cells are decided exactly in one, two and three dimensions: in more, no method is "
+                                  "known here for pieces of the zero set inside a cell");
+
 public:
   /// \param checkpoint  called now and then during long decisions; it stops them by throwing.
   /// \throw Invalid_input if `f` is zero.
@@ -46,7 +49,7 @@ public:
   [[nodiscard]] const Polynomial<Integer, D>& square_free() const;
 
   /// \brief The verdict on one closed cell.
-  /// \pre The cell lies in the grid.
+  /// \throw Invalid_input unless the cell lies in the grid.
   /// \par Complexity  With n coefficients in a dense polynomial of degree d: n*d operations on integers where their
   /// signs decide (nearly always), more near tangencies and singular points, where at worst a resultant of degree d^2
   /// is needed.
@@ -123,11 +126,22 @@ struct Ideal_raster
 /// \param candidates  a localisation of f on this grid: every cell with a zero is plotted, and what is called hit is
 ///        proved. Cells that it calls empty or hit are taken over.
 /// \pre `candidates` is a certified localisation (`is_guaranteed`), else the result is worth no more than it is.
-/// \throw Invalid_input if `f` is zero. Contradiction if `recheck` is asked for and finds one.
+/// \throw Invalid_input if `f` is zero, or `candidates` are of another grid. Contradiction if `recheck` is asked for and
+///        finds one.
 /// \par Complexity  See `Cell_decider::decide`; memory for the cells and for one polynomial's resultants.
 template <std::size_t D>
 [[nodiscard]] Ideal_raster<D> ideal_raster(const Polynomial<Rational, D>& f, const Grid<D>& grid,
                                            const Cell_set<D>& candidates, const Ideal_raster_options& options = {});
+
+/// Higher dimensions do not compile, and `Cell_decider` says why.
+template <std::size_t D>
+  requires(D > 3)
+[[nodiscard]] Ideal_raster<D> ideal_raster(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Cell_set<D>&,
+                                           const Ideal_raster_options& = {})
+{
+  (void)Cell_decider<D>(f, grid);
+  return {};
+}
 
 } // namespace corral
 

@@ -21,6 +21,10 @@ namespace corral {
 template <std::size_t D>
 class System_decider
 {
+  static_assert(D == 2 || D == 3,
+                "systems of two polynomials are decided exactly in two and three dimensions: points of "
+                "the plane and curves in space");
+
 public:
   /// \param system  one or two polynomials, none of them zero.
   /// \param checkpoint  called now and then during long decisions; it stops them by throwing.
@@ -32,7 +36,7 @@ public:
   ~System_decider();
 
   /// \brief The verdict on one closed cell. A witness, where there is one, holds for every polynomial of the system.
-  /// \pre The cell lies in the grid.
+  /// \throw Invalid_input unless the cell lies in the grid.
   [[nodiscard]] Cell_decision<D> decide(const Cell<D>& cell);
 
 private:
@@ -45,6 +49,16 @@ private:
 template <std::size_t D>
 [[nodiscard]] Ideal_raster<D> ideal_raster(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
                                            const Cell_set<D>& candidates, const Ideal_raster_options& options = {});
+
+/// Other dimensions do not compile, and `System_decider` says why.
+template <std::size_t D>
+  requires(D != 2 && D != 3)
+[[nodiscard]] Ideal_raster<D> ideal_raster(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+                                           const Cell_set<D>&, const Ideal_raster_options& = {})
+{
+  (void)System_decider<D>(system, grid);
+  return {};
+}
 
 } // namespace corral
 

@@ -35,14 +35,21 @@ public:
   using Node = Subdivision_node<D>;
   using System = std::vector<Polynomial<I, D>>;
 
-  /// \pre One bounder for each polynomial, in the same order. An `Arithmetic_scope` of I is alive.
+  /// \throw Invalid_input unless there is one bounder for each polynomial, in the same order.
+  /// \pre An `Arithmetic_scope` of I is alive, as the arithmetic of I checks where assertions are on.
   Bounder_form(System system, std::vector<B> bounders, Grid<D> grid, Localization_options options)
       : system_(std::move(system)), bounders_(std::move(bounders)), grid_(std::move(grid)),
         options_(std::move(options)), tree_(grid_.resolution()), stack_(tree_.root().level + 1), middles_(stack_.size())
-  {}
+  {
+    if (system_.size() != bounders_.size())
+      throw Invalid_input("localize: given " + detail::quantity(bounders_.size(), "bounder") + " for "
+                          + detail::quantity(system_.size(), "polynomial") + "; expected one for each");
+    result_.cells.set_grid(grid_);
+  }
 
   bool begin(const Node& root)
   {
+    has_begun_ = true;
     Sides& sides = stack_[root.level];
     for (std::size_t axis = 0; axis < D; ++axis) sides[axis] = {line(axis, 0), line(axis, tree_.end(root, axis))};
     return may_vanish(box_of(sides));
@@ -78,9 +85,10 @@ public:
     stack_[node.level - 1] = child_sides(node, child, middles_[node.level]);
   }
 
-  /// What was found. \pre The loop has run.
+  /// What was found. \throw Invalid_input if the loop has not begun.
   [[nodiscard]] Localization<D> take()
   {
+    if (!has_begun_) detail::refuse_input("Bounder_form: asked before the subdivision has run; expected it to have");
     result_.cells.finish();
     return std::move(result_);
   }
@@ -206,6 +214,7 @@ private:
   std::uint64_t reports_ = 0;
   Clock::time_point told_ = Clock::now();
   double done_ = 0;
+  bool has_begun_ = false;
 };
 
 } // namespace corral

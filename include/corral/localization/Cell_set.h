@@ -10,6 +10,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,20 +60,27 @@ template <std::size_t D>
 /// \brief The cells of a grid that are not `empty`, each with its verdict.
 ///
 /// Memory is proportional to the blocks that hold such cells, never to the grid. Blocks are
-/// sorted by index, lexicographically from axis 0, once `finish` has run.
+/// sorted by index, lexicographically from axis 0, and each occurs once, when `finish` has run.
 template <std::size_t D>
 class Cell_set
 {
 public:
   using Block = Cell_block<D>;
 
-  /// Adds a block that no earlier call has added. \pre block.plotted != 0; hit is a subset of plotted.
-  void append(const Block& block) { blocks_.push_back(block); }
+  /// Adds the cells of a block. \throw Invalid_input if it holds none, or a hit that is not plotted.
+  void append(const Block& block)
+  {
+    require_form(block);
+    blocks_.push_back(block);
+    is_finished_ = false;
+  }
 
-  /// \brief Adds one cell.
-  /// \pre `verdict` is not `empty`; cells of one block are added in succession.
+  /// \brief Adds one cell; memory for a block unless the last cell was in the same one.
+  /// \throw Invalid_input if `verdict` is `empty`.
   void append(const Cell<D>& cell, Verdict verdict)
   {
+    if (verdict == Verdict::empty) detail::refuse_input("Cell_set: given an empty cell; expected one that is not");
+    is_finished_ = false;
     std::array<std::uint32_t, D> index;
     for (std::size_t axis = 0; axis < D; ++axis) index[axis] = cell[axis] / block_side<D>;
     if (blocks_.empty() || blocks_.back().index != index) blocks_.push_back({index, 0, 0});
@@ -81,19 +89,41 @@ public:
     if (verdict == Verdict::hit) blocks_.back().hit |= mask;
   }
 
-  /// Adds all cells of `other`, which shares no block with this set.
-  void append(const Cell_set& other) { blocks_.insert(blocks_.end(), other.blocks_.begin(), other.blocks_.end()); }
+  /// Adds all cells of `other`.
+  void append(const Cell_set& other)
+  {
+    blocks_.insert(blocks_.end(), other.blocks_.begin(), other.blocks_.end());
+    is_finished_ = false;
+  }
 
-  /// Adds blocks that no earlier call has added.
+  /// Adds the cells of many blocks; if these are the first and in order, the set is finished. \throw Invalid_input as
+  /// for one.
   void append(std::vector<Block>&& blocks)
   {
+    for (const Block& block : blocks) require_form(block);
+    is_finished_ = blocks_.empty() && is_in_order(blocks);
     if (blocks_.empty())
       blocks_ = std::move(blocks);
     else
       blocks_.insert(blocks_.end(), blocks.begin(), blocks.end());
   }
 
-  /// \brief Sorts the blocks.
+  /// \brief Says of which grid the cells are, so that they are not taken for those of another one.
+  void set_grid(const Grid<D>& grid) { grid_ = std::make_shared<const Grid<D>>(grid); }
+
+  /// \throw Invalid_input in the name of `who` if a cell is not of this grid, or the set was made on another one.
+  void require_grid(const Grid<D>& grid, const char* who) const
+  {
+    if (grid_ && !(*grid_ == grid))
+      throw Invalid_input(std::string(who) + ": given cells of another grid; expected those of the grid given");
+    for (const Block& block : blocks_) {
+      if (grid.contains(cell_of<D>(block.index, last_bit))) continue;
+      for (std::uint64_t rest = block.plotted; rest != 0; rest &= rest - 1)
+        grid.require(cell_of<D>(block.index, static_cast<unsigned>(std::countr_zero(rest))), who);
+    }
+  }
+
+  /// \brief Sorts the blocks and joins those of the same cells: a cell that is a hit in one of them is a hit.
   /// \par Complexity  Linear in the blocks and the largest index if there are many blocks, else n log n.
   void finish()
   {
@@ -104,6 +134,8 @@ public:
       std::sort(blocks_.begin(), blocks_.end(), [](const Block& a, const Block& b) { return a.index < b.index; });
     else
       for (std::size_t axis = D; axis-- > 0;) sort_by(axis, largest);
+    join_blocks();
+    is_finished_ = true;
   }
 
   [[nodiscard]] const std::vector<Block>& blocks() const { return blocks_; }
@@ -113,9 +145,10 @@ public:
   [[nodiscard]] std::uint64_t hit() const { return count(&Block::hit); }
   [[nodiscard]] std::uint64_t unknown() const { return plotted() - hit(); }
 
-  /// The verdict of one cell. \pre `finish` has run. \par Complexity  logarithmic.
+  /// The verdict of one cell. \throw Invalid_input unless `finish` has run. \par Complexity  logarithmic.
   [[nodiscard]] Verdict at(const Cell<D>& cell) const
   {
+    require_finished();
     std::array<std::uint32_t, D> index;
     for (std::size_t axis = 0; axis < D; ++axis) index[axis] = cell[axis] / block_side<D>;
     const auto found = std::lower_bound(blocks_.begin(), blocks_.end(), index,
@@ -136,10 +169,12 @@ public:
   }
 
   /// \brief Calls `visit(cell, verdict)` for every plotted cell in lexicographic order of the index.
-  /// \pre `finish` has run. \par Complexity  n log n for n cells; memory for one layer of blocks.
+  /// \throw Invalid_input unless `finish` has run.
+  /// \par Complexity  n log n for n cells; memory for one layer of blocks.
   template <class Visitor>
   void for_each_sorted(Visitor&& visit) const
   {
+    require_finished();
     std::vector<std::pair<Cell<D>, Verdict>> layer;
     for (std::size_t first = 0; first < blocks_.size();) {
       layer.clear();
@@ -154,9 +189,46 @@ public:
     }
   }
 
-  friend bool operator==(const Cell_set&, const Cell_set&) = default;
+  /// Whether both have the same cells.
+  friend bool operator==(const Cell_set& a, const Cell_set& b) { return a.blocks_ == b.blocks_; }
 
 private:
+  /// Of the cell of a block that is last along every axis.
+  static constexpr unsigned last_bit = [] {
+    unsigned cells = 1;
+    for (std::size_t axis = 0; axis < D; ++axis) cells *= block_side<D>;
+    return cells - 1;
+  }();
+
+  static void require_form(const Block& block)
+  {
+    if (block.plotted == 0 || (block.hit & ~block.plotted) != 0)
+      detail::refuse_input("Cell_set: given a block without cells or with a hit that is not plotted; expected neither");
+  }
+  static bool is_in_order(const std::vector<Block>& blocks)
+  {
+    return std::adjacent_find(blocks.begin(), blocks.end(),
+                              [](const Block& a, const Block& b) { return a.index >= b.index; })
+           == blocks.end();
+  }
+  void require_finished() const
+  {
+    if (!is_finished_) detail::refuse_input("Cell_set: asked before finish() has run; expected it to have");
+  }
+  /// \pre The blocks are sorted.
+  void join_blocks()
+  {
+    const auto same = [](const Block& a, const Block& b) { return a.index == b.index; };
+    auto last = std::adjacent_find(blocks_.begin(), blocks_.end(), same);
+    if (last == blocks_.end()) return;
+    for (auto next = last + 1; next != blocks_.end(); ++next)
+      if (same(*last, *next)) {
+        last->plotted |= next->plotted;
+        last->hit |= next->hit;
+      } else
+        *++last = *next;
+    blocks_.erase(last + 1, blocks_.end());
+  }
   static Verdict verdict(const Block& block, unsigned bit)
   {
     if ((block.plotted >> bit & 1) == 0) return Verdict::empty;
@@ -180,6 +252,8 @@ private:
   }
 
   std::vector<Block> blocks_;
+  bool is_finished_ = true;
+  std::shared_ptr<const Grid<D>> grid_{};
 };
 
 } // namespace corral

@@ -53,6 +53,27 @@ public:
   /// The width of one cell along `axis`.
   [[nodiscard]] const Rational& step(std::size_t axis) const { return step_[axis]; }
 
+  /// Whether the cell is one of the grid.
+  [[nodiscard]] bool contains(const Cell<D>& cell) const
+  {
+    for (std::size_t axis = 0; axis < D; ++axis)
+      if (cell[axis] >= resolution_[axis]) return false;
+    return true;
+  }
+
+  /// \throw Invalid_input in the name of `who` unless the cell is one of the grid.
+  void require(const Cell<D>& cell, const char* who) const
+  {
+    if (contains(cell)) return;
+    std::string given;
+    std::string size;
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      given += (axis == 0 ? "" : ", ") + std::to_string(cell[axis]);
+      size += (axis == 0 ? "" : " x ") + std::to_string(resolution_[axis]);
+    }
+    throw Invalid_input(std::string(who) + ": given the cell (" + given + "); expected one of a grid of " + size);
+  }
+
   /// The coordinate of grid line `index` (0 to the resolution) of `axis`.
   [[nodiscard]] Rational line(std::size_t axis, std::uint32_t index) const
   {
@@ -74,6 +95,14 @@ public:
     double count = 1;
     for (const auto n : resolution_) count *= n;
     return count;
+  }
+
+  /// Whether both are the same box, cut alike.
+  friend bool operator==(const Grid& a, const Grid& b)
+  {
+    for (std::size_t axis = 0; axis < D; ++axis)
+      if (a.box_[axis].lower() != b.box_[axis].lower() || a.box_[axis].upper() != b.box_[axis].upper()) return false;
+    return a.resolution_ == b.resolution_;
   }
 
 private:

@@ -54,6 +54,7 @@ public:
   /// \pre node.level > 0.
   [[nodiscard]] unsigned children(const Node& node) const
   {
+    CORRAL_PRECONDITION(node.level > 0, "Subdivision_tree: asked for the children of a cell; expected a larger node");
     unsigned result = 0;
     for (unsigned child = 0; child < (1U << D); ++child) {
       bool exists = true;

@@ -27,38 +27,65 @@ struct Fast_options
 ///
 /// The polynomial is mapped exactly onto the grid and then kept, for every node of the 2^D-tree, in the node's own
 /// coordinates as doubles with a bound of every rounding error so far. Blocks of cells are decided together from the
-/// values at their corners. Where there are few terms of high degree, nodes are bounded by the terms instead. `empty` and
-/// `hit` are proved, whatever the coefficients; all else is `unknown`.
-/// The cells are the same, bit for bit, for every instruction set and number of threads. Of the counters, `bounds` tells
-/// the nodes of the tree and `seconds` the time.
+/// values at their corners. Where there are few terms of high degree, nodes are bounded by the terms instead. `empty`
+/// and `hit` are proved, whatever the coefficients; all else is `unknown`. The cells are the same, bit for bit, for
+/// every instruction set and number of threads. Of the counters, `bounds` tells the nodes of the tree and `seconds` the
+/// time.
 ///
-/// \pre D is 2 or 3.
 /// \throw Invalid_input for the zero polynomial; Budget_exceeded if there are more plotted cells than
 ///        `options.cell_budget` or the polynomial has too many coefficients; Cancelled; Unsafe_environment.
 /// \par Complexity  Time and memory proportional to the plotted cells; a node costs O(n^(D+1)) for degree n where n
 ///      falls to 2 towards the cells. Proofs: doc/taylor_form.md.
 template <std::size_t D>
 [[nodiscard]] Localization<D> localize_fast(const Polynomial<Rational, D>& f, const Grid<D>& grid,
-                                                 const Fast_options& options = {});
+                                            const Fast_options& options = {});
 
 /// \brief The same for a system: a cell is plotted unless one of the polynomials has no zero in it.
 ///
 /// All polynomials are subdivided together, so that a node which one of them drops is dropped for all. With several
 /// polynomials no cell is a `hit`.
-/// \pre `system` is not empty. \throw As above.
-/// \par Complexity  Time and memory proportional to the cells plotted in the end, those of a space curve, not of the surfaces.
+/// \throw As above; Invalid_input if `system` is empty.
+/// \par Complexity  Time and memory proportional to the cells plotted in the end, those of a space curve, not of the
+/// surfaces.
 template <std::size_t D>
-[[nodiscard]] Localization<D> localize_fast(const std::vector<Polynomial<Rational, D>>& system,
-                                                 const Grid<D>& grid, const Fast_options& options = {});
+[[nodiscard]] Localization<D> localize_fast(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+                                            const Fast_options& options = {});
 
-extern template Localization<2> localize_fast<2>(const Polynomial<Rational, 2>&, const Grid<2>&,
-                                                      const Fast_options&);
-extern template Localization<3> localize_fast<3>(const Polynomial<Rational, 3>&, const Grid<3>&,
-                                                      const Fast_options&);
+namespace detail {
+
+template <std::size_t D>
+struct Fast_engine
+{
+  static_assert(D == 2 || D == 3,
+                "localize_fast works in two and three dimensions: its blocks of cells are 8 x 8 pixels "
+                "and 4 x 4 x 4 voxels. localize with a bounder takes any dimension");
+};
+
+} // namespace detail
+
+/// Other dimensions do not compile, and `Fast_engine` says why.
+template <std::size_t D>
+  requires(D != 2 && D != 3)
+[[nodiscard]] Localization<D> localize_fast(const Polynomial<Rational, D>&, const Grid<D>&, const Fast_options& = {})
+{
+  (void)detail::Fast_engine<D>{};
+  return {};
+}
+template <std::size_t D>
+  requires(D != 2 && D != 3)
+[[nodiscard]] Localization<D> localize_fast(const std::vector<Polynomial<Rational, D>>&, const Grid<D>&,
+                                            const Fast_options& = {})
+{
+  (void)detail::Fast_engine<D>{};
+  return {};
+}
+
+extern template Localization<2> localize_fast<2>(const Polynomial<Rational, 2>&, const Grid<2>&, const Fast_options&);
+extern template Localization<3> localize_fast<3>(const Polynomial<Rational, 3>&, const Grid<3>&, const Fast_options&);
 extern template Localization<2> localize_fast<2>(const std::vector<Polynomial<Rational, 2>>&, const Grid<2>&,
-                                                      const Fast_options&);
+                                                 const Fast_options&);
 extern template Localization<3> localize_fast<3>(const std::vector<Polynomial<Rational, 3>>&, const Grid<3>&,
-                                                      const Fast_options&);
+                                                 const Fast_options&);
 
 } // namespace corral
 

@@ -24,10 +24,23 @@ public:
   using Value = CGAL::Interval_nt<false>;
 
   Cgal_interval() : value_(0) {}
-  Cgal_interval(int value) : value_(value) {}
+  template <UnfitNumber T>
+  Cgal_interval(T value) = delete;
+  /// The tightest interval around a built-in number.
+  template <MachineNumber T>
+  Cgal_interval(T value) : Cgal_interval(bracket(value))
+  {}
+  /// The tightest interval around both. \throw Invalid_input unless lower <= upper.
+  template <MachineNumber L, MachineNumber U>
+  Cgal_interval(L lower, U upper) : value_(0)
+  {
+    const double below = bracket(lower).below;
+    const double above = bracket(upper).above;
+    if (!(below <= above)) detail::refuse_order("cgal_interval", below, above);
+    value_ = Value(below, above);
+  }
+  explicit Cgal_interval(const Double_bracket& doubles) : value_(doubles.below, doubles.above) {}
   explicit Cgal_interval(const Value& value) : value_(value) {}
-  /// \pre lower <= upper.
-  Cgal_interval(double lower, double upper) : value_(lower, upper) {}
 
   [[nodiscard]] const Value& value() const { return value_; }
   [[nodiscard]] double lower() const { return value_.inf(); }
@@ -39,19 +52,33 @@ public:
   friend Cgal_interval operator-(const Cgal_interval& a) { return Cgal_interval(-a.value_); }
   friend Cgal_interval operator+(const Cgal_interval& a, const Cgal_interval& b)
   {
+    check_rounding();
     return Cgal_interval(a.value_ + b.value_);
   }
   friend Cgal_interval operator-(const Cgal_interval& a, const Cgal_interval& b)
   {
+    check_rounding();
     return Cgal_interval(a.value_ - b.value_);
   }
   friend Cgal_interval operator*(const Cgal_interval& a, const Cgal_interval& b)
   {
+    check_rounding();
     return Cgal_interval(a.value_ * b.value_);
   }
-  friend Cgal_interval square(const Cgal_interval& a) { return Cgal_interval(CGAL::square(a.value_)); }
+  friend Cgal_interval square(const Cgal_interval& a)
+  {
+    check_rounding();
+    return Cgal_interval(CGAL::square(a.value_));
+  }
 
 private:
+  static void check_rounding()
+  {
+    CORRAL_PRECONDITION(rounds_upward(),
+                        "cgal_interval: arithmetic while the thread does not round upward; expected an "
+                        "Arithmetic_scope<Cgal_interval> on this thread");
+  }
+
   Value value_;
 };
 
@@ -92,23 +119,33 @@ struct Interval_traits<Cgal_interval>
   static constexpr bool is_exact = false;
   using Scope = Cgal_scope;
 
-  static Cgal_interval enclose(const Rational& value)
+  static Cgal_interval enclose(const Rational& value) { return Cgal_interval(bracket(value)); }
+  static Cgal_interval enclose(const Integer& mantissa, long exponent)
   {
-    const auto doubles = bracket(value);
-    return {doubles.below, doubles.above};
+    return Cgal_interval(bracket(mantissa, exponent));
   }
+  static bool is_number(const Cgal_interval& x) { return !std::isnan(x.lower()) && !std::isnan(x.upper()); }
   static Cgal_interval hull(const Cgal_interval& a, const Cgal_interval& b)
   {
-    return {std::min(a.lower(), b.lower()), std::max(a.upper(), b.upper())};
+    return from_ends(std::min(a.lower(), b.lower()), std::max(a.upper(), b.upper()));
   }
-  static Cgal_interval lower(const Cgal_interval& x) { return {x.lower(), x.lower()}; }
-  static Cgal_interval upper(const Cgal_interval& x) { return {x.upper(), x.upper()}; }
+  static Cgal_interval intersection(const Cgal_interval& a, const Cgal_interval& b)
+  {
+    const auto [low, high] = std::minmax({std::fmax(a.lower(), b.lower()), std::fmin(a.upper(), b.upper())});
+    return from_ends(low, high);
+  }
+  static Cgal_interval lower(const Cgal_interval& x) { return from_ends(x.lower(), x.lower()); }
+  static Cgal_interval upper(const Cgal_interval& x) { return from_ends(x.upper(), x.upper()); }
   static std::optional<Rational> exact_lower(const Cgal_interval& x) { return exact(x.lower()); }
   static std::optional<Rational> exact_upper(const Cgal_interval& x) { return exact(x.upper()); }
   static int lower_sign(const Cgal_interval& x) { return x.lower() > 0 ? 1 : x.lower() == 0 ? 0 : -1; }
   static int upper_sign(const Cgal_interval& x) { return x.upper() < 0 ? -1 : x.upper() == 0 ? 0 : 1; }
 
 private:
+  static Cgal_interval from_ends(double lower, double upper)
+  {
+    return Cgal_interval(Cgal_interval::Value(lower, upper));
+  }
   static std::optional<Rational> exact(double x)
   {
     return std::isfinite(x) ? std::optional<Rational>(x) : std::nullopt;

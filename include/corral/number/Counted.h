@@ -60,7 +60,12 @@ class Counted
 {
 public:
   Counted() = default;
-  Counted(int value) : value_(value) {}
+  template <UnfitNumber T>
+  Counted(T value) = delete;
+  /// The built-in number as an `I`.
+  template <MachineNumber T>
+  Counted(T value) : value_(value)
+  {}
   explicit Counted(I value) : value_(std::move(value)) {}
 
   [[nodiscard]] const I& value() const { return value_; }
@@ -113,9 +118,18 @@ struct Interval_traits<Counted<I>>
   using Scope = typename Traits::Scope;
 
   static Counted<I> enclose(const Rational& value) { return Counted<I>(Traits::enclose(value)); }
+  static Counted<I> enclose(const Integer& mantissa, long exponent)
+  {
+    return Counted<I>(corral::enclose<I>(mantissa, exponent));
+  }
+  static bool is_number(const Counted<I>& x) { return Traits::is_number(x.value()); }
   static Counted<I> hull(const Counted<I>& a, const Counted<I>& b)
   {
     return Counted<I>(Traits::hull(a.value(), b.value()));
+  }
+  static Counted<I> intersection(const Counted<I>& a, const Counted<I>& b)
+  {
+    return Counted<I>(Traits::intersection(a.value(), b.value()));
   }
   static Counted<I> lower(const Counted<I>& x) { return Counted<I>(Traits::lower(x.value())); }
   static Counted<I> upper(const Counted<I>& x) { return Counted<I>(Traits::upper(x.value())); }

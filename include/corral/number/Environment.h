@@ -2,6 +2,8 @@
 #ifndef CORRAL_NUMBER_ENVIRONMENT_H
 #define CORRAL_NUMBER_ENVIRONMENT_H
 
+#include <corral/build_mode.h>
+
 #include <cfloat>
 #include <limits>
 #include <string_view>
@@ -13,8 +15,7 @@
 namespace corral {
 
 static_assert(std::numeric_limits<double>::is_iec559 && FLT_EVAL_METHOD == 0,
-              "Corral needs IEEE 754 doubles without excess precision (on 32-bit x86: -msse2 -mfpmath=sse) and "
-              "cannot be compiled with -ffast-math");
+              "Corral needs IEEE 754 doubles without excess precision (on 32-bit x86: -msse2 -mfpmath=sse)");
 
 /// Why doubles cannot be trusted.
 enum class Environment_fault {
@@ -48,6 +49,27 @@ enum class Environment_fault {
   return Environment_fault::none;
 }
 
+/// Whether the thread rounds sums to nearest.
+[[nodiscard, gnu::always_inline]] inline bool rounds_to_nearest()
+{
+  volatile double one_again = 1;
+  volatile double tiny_again = 0x1p-60;
+  const double one = one_again;
+  const double tiny = tiny_again;
+  volatile double sum = one + tiny;
+  volatile double difference = one - tiny;
+  return sum == one && difference == one;
+}
+
+/// Whether the thread rounds sums upward.
+[[nodiscard, gnu::always_inline]] inline bool rounds_upward()
+{
+  volatile double one = 1;
+  volatile double tiny = 0x1p-60;
+  volatile double sum = one + tiny;
+  return sum > 1;
+}
+
 /// \brief The first fault of the current thread's environment.
 /// \par Complexity  A dozen floating-point operations.
 [[nodiscard, gnu::always_inline]] inline Environment_fault find_environment_fault()
@@ -59,9 +81,7 @@ enum class Environment_fault {
   volatile double rounded_square = 1 + 0x1p-29;
   const double one = one_again;
   const double tiny = tiny_again;
-  volatile double sum = one + tiny;
-  volatile double difference = one - tiny;
-  if (sum != one || difference != one) return Environment_fault::rounding_mode;
+  if (!rounds_to_nearest()) return Environment_fault::rounding_mode;
   if ((one + tiny) - one != 0) return Environment_fault::reassociation;
   const double factor = factor_again; // its square is 1 + 2^-29 + 2^-60
   if (factor * factor - rounded_square != 0) return Environment_fault::contraction;

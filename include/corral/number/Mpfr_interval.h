@@ -7,6 +7,7 @@
 #include <mpfi.h>
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 namespace corral {
@@ -46,6 +47,12 @@ public:
   Mpfr_range_scope(const Mpfr_range_scope&) = delete;
   Mpfr_range_scope& operator=(const Mpfr_range_scope&) = delete;
 
+  /// Whether the thread's range of exponents is at least the default one.
+  [[nodiscard]] static bool is_in_force()
+  {
+    return mpfr_get_emin() <= MPFR_EMIN_DEFAULT && mpfr_get_emax() >= MPFR_EMAX_DEFAULT;
+  }
+
 private:
   mpfr_exp_t least_;
   mpfr_exp_t greatest_;
@@ -53,15 +60,29 @@ private:
 
 /// \brief Model of `IntervalNumber`: MPFI, of any precision from 53 bits.
 ///
-/// A number made from an `int` or by `enclose` has the precision of the thread (`Mpfr_precision_scope`), the result of
-/// an operation the greater precision of its operands. Thus threads agree on what they compute from shared numbers.
-/// \par Reference  Revol, Rouillier, "Motivations for an arbitrary precision interval arithmetic and the MPFI
+/// A number made from a built-in one or by `enclose` has the precision of the thread (`Mpfr_precision_scope`), the
+/// result of an operation the greater precision of its operands. Thus threads agree on what they compute from shared
+/// numbers. \par Reference  Revol, Rouillier, "Motivations for an arbitrary precision interval arithmetic and the MPFI
 ///      library", 2005.
 class Mpfr_interval
 {
 public:
   Mpfr_interval() : Mpfr_interval(0) {}
-  Mpfr_interval(int value) : Mpfr_interval(Bits{Mpfr_precision_scope::bits()}) { mpfi_set_si(value_, value); }
+  template <UnfitNumber T>
+  Mpfr_interval(T value) = delete;
+  /// The tightest interval around a built-in number.
+  template <MachineNumber T>
+  Mpfr_interval(T value) : Mpfr_interval(Bits{Mpfr_precision_scope::bits()})
+  {
+    if constexpr (std::is_floating_point_v<T>)
+      set(static_cast<double>(value));
+    else if constexpr (sizeof(T) > sizeof(long))
+      mpfi_set_q(value_, exact_value(value).get_mpq_t());
+    else if constexpr (std::is_signed_v<T>)
+      mpfi_set_si(value_, value);
+    else
+      mpfi_set_ui(value_, value);
+  }
   explicit Mpfr_interval(const Rational& value) : Mpfr_interval(Bits{Mpfr_precision_scope::bits()})
   {
     mpfi_set_q(value_, value.get_mpq_t());
@@ -107,11 +128,19 @@ private:
   };
 
   explicit Mpfr_interval(Bits bits) { mpfi_init2(value_, bits.count); }
+  void set(double value);
+  static void check_range()
+  {
+    CORRAL_PRECONDITION(Mpfr_range_scope::is_in_force(),
+                        "mpfr: arithmetic with a narrowed range of exponents; expected an "
+                        "Arithmetic_scope<Mpfr_interval> on this thread");
+  }
 
   /// The result of a function of MPFI in the greatest precision of its operands.
   template <auto function, class... Operand>
   static Mpfr_interval apply(const Operand&... operands)
   {
+    check_range();
     Mpfr_interval result(Bits{std::max({operands.precision()...})});
     function(result.value_, operands.value_...);
     return result;
@@ -121,6 +150,7 @@ private:
   Mpfr_interval& assign(const Mpfr_interval& b)
   {
     if (precision() < b.precision()) return *this = apply<function>(*this, b);
+    check_range();
     function(value_, value_, b.value_);
     return *this;
   }
@@ -141,6 +171,8 @@ struct Interval_traits<Mpfr_interval>
   {
     return Mpfr_interval::apply<mpfi_union>(a, b);
   }
+  static bool is_number(const Mpfr_interval& x) { return mpfi_nan_p(x.value()) == 0; }
+  static Mpfr_interval intersection(const Mpfr_interval& a, const Mpfr_interval& b);
   static Mpfr_interval lower(const Mpfr_interval& x) { return point(x.precision(), x.lower()); }
   static Mpfr_interval upper(const Mpfr_interval& x) { return point(x.precision(), x.upper()); }
   static std::optional<Rational> exact_lower(const Mpfr_interval& x) { return exact(x.lower()); }

@@ -23,7 +23,7 @@ struct Outward_rounding
   static constexpr std::string_view name = "double_outward";
   static constexpr bool is_guaranteed = true;
 
-  /// The smallest double >= a + b. \pre Neither operand is -infinity.
+  /// The smallest double >= a + b. \pre Neither operand is -infinity, as no upper end of a `Double_interval` is.
   static double add_up(double a, double b)
   {
     const double sum = a + b;

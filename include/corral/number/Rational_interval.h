@@ -15,10 +15,37 @@ class Rational_interval
 {
 public:
   Rational_interval() = default;
-  Rational_interval(int value) : lower_(value), upper_(value) {}
+  template <UnfitNumber T>
+  Rational_interval(T value) = delete;
+  /// A built-in number. \throw Invalid_input if it is infinite or not a number.
+  template <MachineNumber T>
+  Rational_interval(T value) : lower_(exact_value(value)), upper_(lower_)
+  {}
   explicit Rational_interval(const Rational& value) : lower_(value), upper_(value) {}
-  /// \pre lower <= upper.
-  Rational_interval(Rational lower, Rational upper) : lower_(std::move(lower)), upper_(std::move(upper)) {}
+  /// \throw Invalid_input unless lower <= upper.
+  Rational_interval(Rational lower, Rational upper) : lower_(std::move(lower)), upper_(std::move(upper))
+  {
+    if (lower_ > upper_) refuse_order();
+  }
+  /// \throw Invalid_input unless lower <= upper, and if a built-in number is infinite or not a number.
+  template <MachineNumber L, MachineNumber U>
+  Rational_interval(L lower, U upper) : Rational_interval(exact_value(lower), exact_value(upper))
+  {}
+  template <MachineNumber L>
+  Rational_interval(L lower, Rational upper) : Rational_interval(exact_value(lower), std::move(upper))
+  {}
+  template <MachineNumber U>
+  Rational_interval(Rational lower, U upper) : Rational_interval(std::move(lower), exact_value(upper))
+  {}
+
+  /// \brief The interval of these two ends as they are. Nothing is checked: for who has just computed them.
+  static Rational_interval from_ends(Rational lower, Rational upper)
+  {
+    Rational_interval result;
+    result.lower_ = std::move(lower);
+    result.upper_ = std::move(upper);
+    return result;
+  }
 
   [[nodiscard]] const Rational& lower() const { return lower_; }
   [[nodiscard]] const Rational& upper() const { return upper_; }
@@ -32,7 +59,7 @@ public:
   Rational_interval& operator-=(const Rational_interval& b) { return *this += -b; }
   Rational_interval& operator*=(const Rational_interval& b) { return *this = *this * b; }
 
-  friend Rational_interval operator-(const Rational_interval& a) { return {-a.upper_, -a.lower_}; }
+  friend Rational_interval operator-(const Rational_interval& a) { return from_ends(-a.upper_, -a.lower_); }
   friend Rational_interval operator+(Rational_interval a, const Rational_interval& b) { return a += b; }
   friend Rational_interval operator-(Rational_interval a, const Rational_interval& b) { return a -= b; }
   friend Rational_interval operator*(const Rational_interval& a, const Rational_interval& b)
@@ -41,25 +68,29 @@ public:
     if (b.is_point()) return a.scaled(b.lower_);
     const Rational products[] = {a.lower_ * b.lower_, a.lower_ * b.upper_, a.upper_ * b.lower_, a.upper_ * b.upper_};
     const auto [low, high] = std::minmax_element(std::begin(products), std::end(products));
-    return {*low, *high};
+    return from_ends(*low, *high);
   }
   friend Rational_interval square(const Rational_interval& a)
   {
     Rational low = a.lower_ * a.lower_;
     Rational high = a.upper_ * a.upper_;
     if (low > high) std::swap(low, high);
-    return sgn(a.lower_) * sgn(a.upper_) <= 0 ? Rational_interval(0, std::move(high))
-                                              : Rational_interval(std::move(low), std::move(high));
+    return from_ends(sgn(a.lower_) * sgn(a.upper_) <= 0 ? Rational() : std::move(low), std::move(high));
   }
 
 private:
+  [[noreturn]] void refuse_order() const
+  {
+    throw Invalid_input("rational: given the end points " + to_string(lower_) + " and " + to_string(upper_)
+                        + "; expected lower <= upper");
+  }
   [[nodiscard]] bool is_point() const { return lower_ == upper_; }
   [[nodiscard]] Rational_interval scaled(const Rational& factor) const
   {
     Rational low = lower_ * factor;
     Rational high = is_point() ? low : Rational(upper_ * factor);
     if (sgn(factor) < 0) std::swap(low, high);
-    return {std::move(low), std::move(high)};
+    return from_ends(std::move(low), std::move(high));
   }
 
   Rational lower_;
@@ -79,7 +110,13 @@ struct Interval_traits<Rational_interval>
   static Rational_interval enclose(const Rational& value) { return Rational_interval(value); }
   static Rational_interval hull(const Rational_interval& a, const Rational_interval& b)
   {
-    return {std::min(a.lower(), b.lower()), std::max(a.upper(), b.upper())};
+    return Rational_interval::from_ends(std::min(a.lower(), b.lower()), std::max(a.upper(), b.upper()));
+  }
+  static bool is_number(const Rational_interval&) { return true; }
+  static Rational_interval intersection(const Rational_interval& a, const Rational_interval& b)
+  {
+    const auto [low, high] = std::minmax({std::max(a.lower(), b.lower()), std::min(a.upper(), b.upper())});
+    return Rational_interval::from_ends(low, high);
   }
   static Rational_interval lower(const Rational_interval& x) { return Rational_interval(x.lower()); }
   static Rational_interval upper(const Rational_interval& x) { return Rational_interval(x.upper()); }

@@ -12,15 +12,15 @@
 namespace corral {
 
 /// \brief `value` as a hexadecimal float, `0x1.8p+1`, of any length.
-/// \pre The denominator is a power of two.
+/// \throw Invalid_input unless the denominator is a power of two.
 [[nodiscard]] std::string to_hex_float(const Rational& value);
 
 /// \brief The greatest decimal of `digits` significant digits that is not above `value`.
-/// \pre digits >= 1.
+/// \throw Invalid_input unless digits >= 1.
 [[nodiscard]] std::string decimal_below(const Rational& value, int digits);
 
 /// \brief The least decimal of `digits` significant digits that is not below `value`.
-/// \pre digits >= 1.
+/// \throw Invalid_input unless digits >= 1.
 [[nodiscard]] std::string decimal_above(const Rational& value, int digits);
 
 /// \brief `[lower, upper]`, exactly: fractions for an exact type, hexadecimal floats for all others, `-inf` and `inf`.
@@ -33,7 +33,8 @@ template <IntervalNumber I>
   return std::string("[") + (low ? text(*low) : "-inf") + ", " + (high ? text(*high) : "inf") + "]";
 }
 
-/// `[lower, upper]` in decimals of `digits` significant digits, rounded outward. \pre digits >= 1.
+/// `[lower, upper]` in decimals of `digits` significant digits, rounded outward.
+/// \throw Invalid_input unless digits >= 1.
 template <IntervalNumber I>
 [[nodiscard]] std::string decimal_text(const I& x, int digits = 17)
 {

@@ -2,10 +2,12 @@
 #ifndef CORRAL_POLYNOMIAL_POLYNOMIAL_H
 #define CORRAL_POLYNOMIAL_POLYNOMIAL_H
 
+#include <corral/errors.h>
 #include <corral/number/Rational.h>
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -17,6 +19,12 @@ namespace corral {
 /// The exponent of each variable in one term.
 template <std::size_t D>
 using Exponents = std::array<std::uint16_t, D>;
+
+/// Says of a list of terms that it is what a `Polynomial` holds, so that only Debug builds look.
+struct Sorted_terms
+{
+  explicit Sorted_terms() = default;
+};
 
 /// \brief A polynomial in D variables over the number type NT, as a list of terms.
 ///
@@ -44,8 +52,18 @@ public:
   /// The zero polynomial.
   Polynomial() = default;
 
-  /// \pre `terms` is sorted by exponents, without repetition.
-  explicit Polynomial(std::vector<Term> terms) : terms_(std::move(terms)) {}
+  /// \brief The polynomial of these terms; for terms in any order see `collect`.
+  /// \throw Invalid_input unless they are sorted by exponents, without repetition, and over `Rational` and `Integer`
+  ///        without a coefficient 0. \par Complexity  One comparison a term.
+  explicit Polynomial(std::vector<Term> terms) : terms_(std::move(terms))
+  {
+    if (!is_well_formed()) detail::refuse_input(complaint);
+  }
+  /// \brief The same for terms of which this is known. \pre As there.
+  Polynomial(Sorted_terms, std::vector<Term> terms) : terms_(std::move(terms))
+  {
+    CORRAL_PRECONDITION(is_well_formed(), complaint);
+  }
 
   [[nodiscard]] const std::vector<Term>& terms() const { return terms_; }
   [[nodiscard]] bool is_zero() const { return terms_.empty(); }
@@ -72,6 +90,18 @@ public:
   friend bool operator==(const Polynomial&, const Polynomial&) = default;
 
 private:
+  static constexpr const char* complaint =
+      "Polynomial: given terms out of order, twice or with coefficient 0; expected what collect() makes of them";
+
+  [[nodiscard]] bool is_well_formed() const
+  {
+    const auto is_out_of_order = [](const Term& a, const Term& b) { return a.exponents >= b.exponents; };
+    if constexpr (std::same_as<NT, Rational> || std::same_as<NT, Integer>)
+      if (std::any_of(terms_.begin(), terms_.end(), [](const Term& term) { return sgn(term.coefficient) == 0; }))
+        return false;
+    return std::adjacent_find(terms_.begin(), terms_.end(), is_out_of_order) == terms_.end();
+  }
+
   std::vector<Term> terms_;
 };
 
@@ -92,7 +122,7 @@ template <class NT, std::size_t D>
     }
   }
   if (!sums.empty() && sums.back().coefficient == 0) sums.pop_back();
-  return Polynomial<NT, D>(std::move(sums));
+  return Polynomial<NT, D>(Sorted_terms(), std::move(sums));
 }
 
 /// The constant polynomial `value`.
@@ -102,23 +132,24 @@ template <class NT, std::size_t D>
   return collect<NT, D>({{Exponents<D>{}, value}});
 }
 
-/// The polynomial x_axis.
+/// The polynomial x_axis. \throw Invalid_input unless axis < D.
 template <class NT, std::size_t D>
 [[nodiscard]] Polynomial<NT, D> variable(std::size_t axis)
 {
+  if (axis >= D) detail::refuse_input("variable: given an axis that there is not; expected one below the dimension");
   Exponents<D> exponents{};
   exponents[axis] = 1;
   return Polynomial<NT, D>({{exponents, NT(1)}});
 }
 
-/// Applies `function` to every coefficient, such as `enclose<I>`.
+/// Applies `function` to every coefficient, such as `enclose<I>`. \pre Over an exact `To` it gives no zero.
 template <class To, class NT, std::size_t D, class Function>
 [[nodiscard]] Polynomial<To, D> transform(const Polynomial<NT, D>& f, const Function& function)
 {
   std::vector<typename Polynomial<To, D>::Term> terms;
   terms.reserve(f.terms().size());
   for (const auto& term : f.terms()) terms.push_back({term.exponents, function(term.coefficient)});
-  return Polynomial<To, D>(std::move(terms));
+  return Polynomial<To, D>(Sorted_terms(), std::move(terms));
 }
 
 /// The partial derivative with respect to variable `axis`. \par Complexity  one multiplication a term.
@@ -132,7 +163,7 @@ template <class NT, std::size_t D>
       --lowered[axis];
       terms.push_back({lowered, NT(term.coefficient * NT(exponent))});
     }
-  return Polynomial<NT, D>(std::move(terms)); // lowering one exponent everywhere keeps the order
+  return Polynomial<NT, D>(Sorted_terms(), std::move(terms)); // lowering one exponent everywhere keeps the order
 }
 
 } // namespace corral

@@ -77,7 +77,7 @@ Polynomial<Integer, D> dense_product(const Polynomial<Integer, D>& f, const Poly
         exponents[axis] = static_cast<std::uint16_t>(rest % side[axis]);
       terms.push_back({exponents, std::move(sums[i])});
     }
-  return Polynomial<Integer, D>(std::move(terms));
+  return Polynomial<Integer, D>(Sorted_terms(), std::move(terms));
 }
 
 /// The product as the sorted list of all products of two terms.
@@ -113,7 +113,7 @@ template <class NT, std::size_t D>
       terms.push_back({a.exponents, std::move(sum)});
   }
   terms.insert(terms.end(), b, g.terms().end());
-  return Polynomial<NT, D>(std::move(terms));
+  return Polynomial<NT, D>(Sorted_terms(), std::move(terms));
 }
 
 template <class NT, std::size_t D>

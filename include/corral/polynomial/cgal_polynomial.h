@@ -38,7 +38,8 @@ template <class NT, std::size_t D>
   return typename Traits::Construct_polynomial()(monomials.begin(), monomials.end());
 }
 
-/// The same polynomial as one of Corral; `from_cgal<NT, D>(f)`. \pre No exponent is above 65535.
+/// The same polynomial as one of Corral; `from_cgal<NT, D>(f)`.
+/// \throw Invalid_input if an exponent is above 65535.
 template <class NT, std::size_t D>
 [[nodiscard]] Polynomial<NT, D> from_cgal(const Cgal_polynomial<NT, D>& f)
 {
@@ -48,7 +49,11 @@ template <class NT, std::size_t D>
   std::vector<typename Polynomial<NT, D>::Term> terms;
   for (const auto& [cgal_exponents, coefficient] : monomials) {
     Exponents<D> exponents;
-    for (std::size_t axis = 0; axis < D; ++axis) exponents[axis] = static_cast<std::uint16_t>(cgal_exponents[axis]);
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      const int exponent = cgal_exponents[axis];
+      if (exponent > 0xffff) detail::refuse_input("from_cgal: given an exponent above 65535; expected at most that");
+      exponents[axis] = static_cast<std::uint16_t>(exponent);
+    }
     terms.push_back({exponents, coefficient});
   }
   return collect<NT, D>(std::move(terms));

@@ -36,6 +36,7 @@ template <std::size_t D>
 template <std::size_t D>
 [[nodiscard]] Polynomial<Integer, D> from_flat_terms(Flat_terms flat)
 {
+  CORRAL_PRECONDITION(flat.dimension == D, "from_flat_terms: given terms of another dimension");
   std::vector<typename Polynomial<Integer, D>::Term> terms(flat.coefficients.size());
   for (std::size_t i = 0; i < terms.size(); ++i) {
     std::copy_n(flat.exponents.begin() + static_cast<std::ptrdiff_t>(i * D), D, terms[i].exponents.begin());

@@ -22,14 +22,13 @@ namespace detail {
 class Line_substitution
 {
 public:
-  /// \pre `degree` is at least that of every polynomial to which this is applied.
   Line_substitution(const Rational& offset, const Rational& scale, unsigned degree);
 
   /// The result of `apply` is the substituted polynomial times this positive number.
   [[nodiscard]] Integer denominator() const;
 
-  /// Replaces the coefficients (lowest first, degree + 1 of them) of f(x) by those of
-  /// `denominator() * f(offset + scale u)`. \par Complexity  degree^2 / 2 products.
+  /// Replaces the coefficients (lowest first) of f(x) by those of
+  /// `denominator() * f(offset + scale u)`. \pre There are degree + 1. \par Complexity  degree^2 / 2 products.
   void apply(std::vector<Integer>& coefficients) const;
 
 private:
@@ -69,7 +68,7 @@ void substitute_and_rotate(Integer_form<D>& f, const Rational& offset, const Rat
     begin = end;
   }
   std::sort(result.begin(), result.end(), [](const Term& a, const Term& b) { return a.exponents < b.exponents; });
-  f.numerator = Polynomial<Integer, D>(std::move(result));
+  f.numerator = Polynomial<Integer, D>(Sorted_terms(), std::move(result));
   f.denominator *= substitution.denominator();
 }
 

@@ -27,10 +27,11 @@ bool is_doubtful(const Cell_set<D>& cells)
 }
 
 template <std::size_t D, class Function>
-Localization<D> timed(const Function& function)
+Localization<D> timed(const Grid<D>& grid, const Function& function)
 {
   const auto start = std::chrono::steady_clock::now();
   Localization<D> result = function();
+  result.cells.set_grid(grid);
   result.is_guaranteed = true;
   result.counters.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
@@ -42,7 +43,7 @@ template <std::size_t D>
 Localization<D> localize_fast(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Fast_options& options)
 {
   refuse_zero(f);
-  return timed<D>([&] {
+  return timed(grid, [&] {
     fast::Simplified<D> simplified(f);
     fast::Pulse pulse(options.progress);
     fast::Search<D> what{{&simplified.polynomial(), 1}, pulse};
@@ -68,7 +69,7 @@ Localization<D> localize_fast(const std::vector<Polynomial<Rational, D>>& system
   if (system.empty()) throw Invalid_input("localize_fast: the system is empty; expected at least one polynomial");
   for (const auto& f : system) refuse_zero(f);
   if (system.size() == 1) return localize_fast(system.front(), grid, options);
-  return timed<D>([&] {
+  return timed(grid, [&] {
     std::vector<Polynomial<Rational, D>> simple;
     for (const auto& f : system) {
       fast::Simplified<D> simplified(f);

@@ -69,7 +69,7 @@ struct Method_audit
 [[nodiscard]] std::vector<Method> methods_over(const Audit_settings& settings, const std::string& number);
 
 /// \brief Audits all methods of one number type in all dimensions, dimension by dimension. Each type is compiled in a
-/// file of its own, `audit_<type>.cpp`.
+/// source of its own, which the build makes.
 /// \param progress  called with the share done, 0 to 1; `false` stops. \throw Cancelled.
 template <IntervalNumber I>
 [[nodiscard]] std::vector<Method_audit> audit_over(const Audit_settings& settings,

@@ -91,4 +91,7 @@ std::vector<Method_audit> audit_over(const Audit_settings& settings, const std::
 
 } // namespace corral::program
 
+#define CORRAL_INSTANTIATE_AUDIT(I)                                                                                    \
+  template std::vector<Method_audit> audit_over<I>(const Audit_settings&, const std::function<bool(double)>&);
+
 #endif

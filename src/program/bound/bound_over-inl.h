@@ -43,7 +43,7 @@ void bound_in(const Bound_problem& problem, Bound_answer& answer)
   Rational_point<D> point;
   std::copy_n(problem.point.begin(), D, point.begin());
   Rational value = evaluate(exact, point);
-  const bool is_contained = encloses(bound, value);
+  const bool is_contained = contains(bound, value);
   answer.at_point = Value_answer{std::move(value), is_contained};
 }
 

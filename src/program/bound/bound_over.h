@@ -45,7 +45,7 @@ struct Bound_answer
 template <IntervalNumber I, std::size_t D>
 [[nodiscard]] Any_bounder<I, D> make_bounder(const Method& method, const Polynomial<I, D>& f);
 
-/// \brief Bounds over one number type. Each type is compiled in a file of its own, `bound_<type>.cpp`.
+/// \brief Bounds over one number type. Each type is compiled in a source of its own, which the build makes.
 /// \throw Invalid_input for an unknown bounder; what the parser and the bounder throw.
 template <IntervalNumber I>
 [[nodiscard]] Bound_answer bound_over(const Bound_problem& problem);

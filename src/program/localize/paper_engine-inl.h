@@ -34,9 +34,8 @@ Localization<D> localize_over(const std::vector<Polynomial<Rational, D>>& system
 } // namespace corral::program
 
 #define CORRAL_INSTANTIATE_PAPER_ENGINE(I, D)                                                                          \
-  template corral::Localization<D> corral::program::localize_over<I, D>(                                               \
-      const std::vector<corral::Polynomial<corral::Rational, D>>&, const corral::Grid<D>&,                             \
-      const corral::program::Localize_settings&);
+  template Localization<D> localize_over<I, D>(const std::vector<Polynomial<Rational, D>>&, const Grid<D>&,            \
+                                               const Localize_settings&);
 
 #define CORRAL_INSTANTIATE_PAPER_ENGINES(I)                                                                            \
   CORRAL_INSTANTIATE_PAPER_ENGINE(I, 1)                                                                                \
