@@ -137,8 +137,16 @@ template <std::size_t D>
     if (n == 0) continue;
     const auto weights = bernstein_weights(n);
     for_each_line(form, axis, [&](std::size_t first) {
-      // Reversed, shifted by 1 and reversed again: C(n, k) b_k.
       Integer* c = &form.values[first];
+      std::size_t top = n; // degree of the line
+      while (top > 0 && c[top * stride] == 0) --top;
+      if (top == 0) { // constant, as most lines are where terms are few
+        if (c[0] == 0) return;
+        c[0] *= weights[0];
+        for (std::size_t k = 1; k <= n; ++k) c[k * stride] = c[0];
+        return;
+      }
+      // Reversed, shifted by 1 and reversed again: C(n, k) b_k.
       for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 1; j + i <= n; ++j) c[j * stride] += c[(j - 1) * stride];
       for (std::size_t k = 0; k <= n; ++k)

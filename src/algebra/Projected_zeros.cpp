@@ -4,11 +4,10 @@
 #include "Extension.h"
 
 #include "../polynomial/Flint_ring.h"
+#include "../polynomial/to_exponent.h"
 
 #include <corral/errors.h>
 #include <corral/polynomial/square_free.h>
-
-#include <flint/fmpz_mpoly_factor.h>
 
 #include <algorithm>
 #include <utility>
@@ -281,7 +280,7 @@ Polynomial<Integer, 2> sheared(const Polynomial<Integer, 2>& f, long shear)
     Integer coefficient = term.coefficient; // times C(n, k) (-shear)^k
     for (unsigned k = 0; k <= n; ++k) {
       terms.push_back(
-          {{static_cast<std::uint16_t>(n - k), static_cast<std::uint16_t>(term.exponents[1] + k)}, coefficient});
+          {{static_cast<std::uint16_t>(n - k), detail::to_exponent(std::size_t{term.exponents[1]} + k)}, coefficient});
       coefficient *= -shear;
       coefficient *= static_cast<unsigned long>(n - k);
       mpz_divexact_ui(coefficient.get_mpz_t(), coefficient.get_mpz_t(), k + 1);
@@ -298,26 +297,6 @@ std::optional<Projection_result> projected_zeros(const Polynomial<Integer, 2>& f
   if (f.is_constant() || g.is_constant()) return result;
   Projection projection(f, g, shear, checkpoint);
   if (!projection.is_proper() || !projection.run(box, least_multiplicity, result)) return std::nullopt;
-  return result;
-}
-
-std::vector<Polynomial<Integer, 2>> irreducible_factors(const Polynomial<Integer, 2>& f)
-{
-  const detail::Flint_ring ring(2);
-  detail::Flint_polynomial whole(ring, detail::flat_terms(f));
-  detail::Flint_polynomial base(ring);
-  fmpz_mpoly_factor_t factors;
-  fmpz_mpoly_factor_init(factors, ring.context());
-  const bool is_done = fmpz_mpoly_factor(factors, whole.get(), ring.context()) != 0;
-  std::vector<Polynomial<Integer, 2>> result;
-  for (slong k = 0; is_done && k < fmpz_mpoly_factor_length(factors, ring.context()); ++k) {
-    fmpz_mpoly_factor_get_base(base.get(), factors, k, ring.context());
-    result.push_back(detail::from_flat_terms<2>(base.terms()));
-  }
-  fmpz_mpoly_factor_clear(factors, ring.context());
-  if (!is_done)
-    throw Budget_exceeded("factors: a polynomial of " + std::to_string(f.terms().size())
-                          + " terms needs more memory than there is; expected a smaller one");
   return result;
 }
 

@@ -83,9 +83,6 @@ inline constexpr std::array<long, 10> shears{3, -5, 7, -11, 17, -23, 31, -43, 61
 projected_zeros(const Polynomial<Integer, 2>& f, const Polynomial<Integer, 2>& g, long shear,
                 const std::optional<Rational_box<2>>& box, unsigned least_multiplicity, const Checkpoint& checkpoint);
 
-/// The distinct irreducible factors over the rationals that are not constant. \throw Budget_exceeded if FLINT gives up.
-[[nodiscard]] std::vector<Polynomial<Integer, 2>> irreducible_factors(const Polynomial<Integer, 2>& f);
-
 } // namespace corral::exact
 
 #endif

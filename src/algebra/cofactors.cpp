@@ -3,6 +3,7 @@
 
 #include "../number/Prime_field.h"
 #include "../polynomial/Flint_ring.h"
+#include "../polynomial/to_exponent.h"
 #include "Interpolation.h"
 #include "multivariate.h"
 
@@ -176,10 +177,10 @@ void append_terms(std::vector<typename Polynomial<Integer, D>::Term>& terms, con
     const Integer& value = values[slot * count + i];
     if (value == 0) continue;
     Exponents<D> exponents{};
-    exponents[axis] = static_cast<std::uint16_t>(exponent);
+    exponents[axis] = detail::to_exponent(exponent);
     std::size_t rest = i;
     for (std::size_t k = D - 1; k-- > 0; rest /= points[k])
-      exponents[parameters[k]] = static_cast<std::uint16_t>(rest % points[k]);
+      exponents[parameters[k]] = detail::to_exponent(rest % points[k]);
     terms.push_back({exponents, value});
   }
 }

@@ -35,6 +35,7 @@ public:
 
   [[nodiscard]] fmpz_mpoly_factor_struct* get() { return value_; }
   [[nodiscard]] slong length() const { return fmpz_mpoly_factor_length(value_, ring_.context()); }
+  [[nodiscard]] slong exponent(slong k) { return fmpz_mpoly_factor_get_exp_si(value_, k, ring_.context()); }
   void base(Flint_polynomial& result, slong k) const
   {
     fmpz_mpoly_factor_get_base(result.get(), value_, k, ring_.context());
@@ -97,9 +98,10 @@ template Common_factor<2> common_factor(const Polynomial<Integer, 2>&, const Pol
 template Common_factor<3> common_factor(const Polynomial<Integer, 3>&, const Polynomial<Integer, 3>&,
                                         const Flint_functions&);
 
-std::vector<Polynomial<Integer, 3>> irreducible_factors(const Polynomial<Integer, 3>& f, const Flint_functions& flint)
+template <std::size_t D>
+std::vector<Polynomial<Integer, D>> irreducible_factors(const Polynomial<Integer, D>& f, const Flint_functions& flint)
 {
-  const Flint_ring ring(3);
+  const Flint_ring ring(D);
   const Flint_polynomial whole(ring, detail::flat_terms(f));
   Factorization factors(ring);
   if (flint.factor(factors.get(), whole.get(), ring.context()) == 0)
@@ -108,19 +110,23 @@ std::vector<Polynomial<Integer, 3>> irreducible_factors(const Polynomial<Integer
   Flint_polynomial base(ring);
   Flint_polynomial product(ring);
   fmpz_mpoly_one(product.get(), ring.context());
-  std::vector<Polynomial<Integer, 3>> result;
+  std::vector<Polynomial<Integer, D>> result;
   for (slong k = 0; k < factors.length(); ++k) {
     factors.base(base, k);
-    fmpz_mpoly_mul(product.get(), product.get(), base.get(), ring.context());
-    result.push_back(detail::from_flat_terms<3>(base.terms()));
+    for (slong left = factors.exponent(k); left > 0; --left)
+      fmpz_mpoly_mul(product.get(), product.get(), base.get(), ring.context());
+    result.push_back(detail::from_flat_terms<D>(base.terms()));
   }
-  auto factored = primitive_part(detail::from_flat_terms<3>(product.terms()));
+  const auto factored = primitive_part(detail::from_flat_terms<D>(product.terms()));
   const auto expected = primitive_part(f);
   if (factored != expected && factored != -expected)
     throw Wrong_answer("algebra: the factors of a polynomial of " + terms_of(f)
                        + " terms that FLINT gives do not have it as their product");
   return result;
 }
+
+template std::vector<Polynomial<Integer, 2>> irreducible_factors(const Polynomial<Integer, 2>&, const Flint_functions&);
+template std::vector<Polynomial<Integer, 3>> irreducible_factors(const Polynomial<Integer, 3>&, const Flint_functions&);
 
 Polynomial<Integer, 2> resultant(const Polynomial<Integer, 3>& f, const Polynomial<Integer, 3>& g,
                                  const Flint_functions& flint)

@@ -30,9 +30,10 @@ template <std::size_t D>
 
 /// \brief The distinct irreducible factors over the rationals that are not constant.
 ///
-/// That their product is f, up to a constant, is verified; not that they are irreducible, since no proof rests on it.
-/// \pre f is not zero and has no repeated factor.
-[[nodiscard]] std::vector<Polynomial<Integer, 3>> irreducible_factors(const Polynomial<Integer, 3>& f,
+/// That the product of their powers is f, up to a constant, is verified; not that they are irreducible.
+/// \pre f is not zero.
+template <std::size_t D>
+[[nodiscard]] std::vector<Polynomial<Integer, D>> irreducible_factors(const Polynomial<Integer, D>& f,
                                                                       const detail::Flint_functions& flint = {});
 
 /// \brief The resultant of f and g with respect to the last variable; zero if they have a common factor with it.

@@ -3,6 +3,7 @@
 
 #include "Side_zeros.h"
 
+#include "../algebra/multivariate.h"
 #include "../algebra/restriction.h"
 
 #include <corral/errors.h>

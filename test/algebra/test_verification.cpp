@@ -122,6 +122,7 @@ TEST(Verification, finds_wrong_factors)
 {
   const auto f = space("(x + y*z - 1)*(x^2 + y^2 + z^2 - 3)*(2*x - 2*y + 10*z)");
   EXPECT_EQ(exact::irreducible_factors(f).size(), 3U);
+  EXPECT_EQ(exact::irreducible_factors(plane("(x + y - 1)^3*(x^2 + y^2 - 3)")).size(), 2U);
   EXPECT_THROW((void)exact::irreducible_factors(f, {.factor = loses_a_factor}), Wrong_answer);
   EXPECT_THROW((void)exact::irreducible_factors(f, {.factor = alters_a_factor}), Wrong_answer);
 }
