@@ -148,7 +148,9 @@ TEST(Verification, finds_wrong_eliminations)
   EXPECT_NO_THROW(exact::require_elimination(right, f, g));
   for (const auto part : {&exact::Elimination::resultant, &exact::Elimination::s1, &exact::Elimination::s0}) {
     auto wrong = right;
-    (wrong.*part).front() += 1;
+    auto coefficients = (wrong.*part).coefficients();
+    coefficients.front() += 1;
+    wrong.*part = Integer_polynomial(std::move(coefficients));
     EXPECT_THROW(exact::require_elimination(wrong, f, g), Wrong_answer);
   }
 }
@@ -172,9 +174,9 @@ TEST(Verification, refuses_exponents_that_no_term_holds)
   EXPECT_EQ(f.terms().exponents, (std::vector<std::uint16_t>{0, 65535}));
   fmpz_mpoly_mul(f.get(), f.get(), f.get(), ring.context());
   EXPECT_THROW((void)f.terms(), Budget_exceeded);
-  exact::Bivariate high(1);
-  high[0].resize(65537 + 1);
-  high[0].back() = 1;
+  std::vector<Integer> coefficients(65537 + 1);
+  coefficients.back() = 1;
+  const exact::Bivariate high{Integer_polynomial(std::move(coefficients))};
   EXPECT_THROW((void)exact::polynomial(high, 1), Budget_exceeded);
 }
 
