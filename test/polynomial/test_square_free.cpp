@@ -86,6 +86,31 @@ TEST(Square_free, leaves_a_constant_of_the_same_sign)
   EXPECT_EQ(square_free_part(constant<Rational, 2>(12)), (constant<Integer, 2>(1)));
 }
 
+template <std::size_t D>
+void check_quick_test(std::uint64_t seed)
+{
+  Generator generator(seed);
+  for (int round = 0; round < 50; ++round) {
+    const auto f = random_factor<D>(generator);
+    const auto g = random_factor<D>(generator);
+    EXPECT_EQ(is_surely_square_free(f * g), square_free_part(f * g) == integer_primitive(f * g));
+    EXPECT_FALSE(is_surely_square_free(f * g * g));
+  }
+}
+
+TEST(Square_free, quick_test_finds_repeated_factors)
+{
+  check_quick_test<1>(11);
+  check_quick_test<2>(12);
+  check_quick_test<3>(13);
+  const auto x = variable<Rational, 2>(0);
+  const auto y = variable<Rational, 2>(1);
+  EXPECT_TRUE(is_surely_square_free(x * y));
+  EXPECT_TRUE(is_surely_square_free(constant<Rational, 2>(Rational(-3, 7))));
+  EXPECT_FALSE(is_surely_square_free(x * y * y)); // of one variable only
+  EXPECT_TRUE(is_surely_square_free(y * y - x * x * x));
+}
+
 TEST(Square_free, is_quick_on_large_inputs)
 {
   Generator generator(9);

@@ -19,7 +19,8 @@ struct Fast_options
 {
   unsigned threads = 1;                                                  ///< 0: one for each processor
   std::uint64_t cell_budget = std::numeric_limits<std::uint64_t>::max(); ///< most plotted cells
-  /// Called now and then, from one thread at a time, with the part done (0 to 1); `false` stops the run.
+  /// Called some times a second (but for single calls of FLINT where a polynomial has repeated factors), from one
+  /// thread at a time, with the part done (0 to 1); `false` stops the run.
   std::function<bool(double)> progress{};
 };
 
@@ -27,10 +28,10 @@ struct Fast_options
 ///
 /// The polynomial is mapped exactly onto the grid and then kept, for every node of the 2^D-tree, in the node's own
 /// coordinates as doubles with a bound of every rounding error so far. Blocks of cells are decided together from the
-/// values at their corners. Where there are few terms of high degree, nodes are bounded by the terms instead. `empty`
-/// and `hit` are proved, whatever the coefficients; all else is `unknown`. The cells are the same, bit for bit, for
-/// every instruction set and number of threads. Of the counters, `bounds` tells the nodes of the tree and `seconds` the
-/// time.
+/// values at their corners. Where there are few terms of high degree, nodes are bounded by the terms instead; repeated
+/// factors are taken out where that matters. `empty` and `hit` are proved, whatever the coefficients; all else is
+/// `unknown`. The cells are the same, bit for bit, for every instruction set and number of threads. Of the counters,
+/// `bounds` tells the nodes of the tree and `seconds` the time.
 ///
 /// \throw Invalid_input for the zero polynomial; Budget_exceeded if there are more plotted cells than
 ///        `options.cell_budget` or the polynomial has too many coefficients; Cancelled; Unsafe_environment.
