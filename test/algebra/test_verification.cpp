@@ -9,6 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+#include <vector>
+
 /// \file
 /// FLINT's answers are verified: somebody who gives wrong ones in its place is found out, whatever the error.
 namespace {
