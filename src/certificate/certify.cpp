@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Cell_search.h"
 #include "Critical_prover.h"
+#include "guesses.h"
 #include "validate.h"
 
 #include <corral/certificate/certificate.h>
@@ -113,7 +114,7 @@ public:
     std::vector<Polynomial<Integer, D>> given;
     for (const auto& f : result_.polynomials) {
       given.push_back(f.square_free);
-      rational_.push_back(transform<Rational>(f.square_free, [](const Integer& c) { return Rational(c); }));
+      proved_.push_back(f.proved());
     }
     if constexpr (D > 1) prover_.emplace(std::move(given), checkpoint_);
   }
@@ -214,16 +215,39 @@ private:
     }
   }
 
+  /// The cheap proofs first.
   void decide_cell(const Forms& forms, const Node& node)
   {
     constexpr std::size_t first_boxes = 64; // a cut or two prove most empty cells
-    if (attempt(forms, first_boxes, node)) return;
+    if (attempt(forms, first_boxes, node) || attempt_guesses(forms, node)) return;
     const auto decision = decide_(node.corner);
     if (decision.verdict == Verdict::hit) return add_witness(decision.witness, node);
     if (attempt_critical(forms, node) || attempt(forms, options_.max_boxes, node)) return;
     leave_unknown(decision.verdict == Verdict::unknown ? "not decided: " + decision.reason
                                                        : "empty, but a proof would take more boxes than allowed",
                   node);
+  }
+
+  /// Tries what doubles say of zeros in the cell.
+  bool attempt_guesses(const Forms& forms, const Node& node)
+  {
+    const auto cell = result_.grid.cell_box(node.corner);
+    std::vector<Cell_proof<D>> guesses;
+    if (forms.forms.size() == 1) {
+      Sign_change<D> change;
+      for (std::size_t axis = 0; axis < D; ++axis) change.first[axis] = cell[axis].lower();
+      for (const auto& u : certificate::guess_other_sign(forms.forms.front())) {
+        for (std::size_t axis = 0; axis < D; ++axis)
+          change.second[axis] = cell[axis].lower() + result_.grid.step(axis) * u[axis];
+        guesses.push_back(change);
+      }
+    } else if constexpr (D > 1) {
+      for (auto& zero : certificate::guess_common_zeros(forms.forms, proved_, cell)) guesses.push_back(std::move(zero));
+    }
+    return std::any_of(guesses.begin(), guesses.end(), [&](const Cell_proof<D>& guess) {
+      double work = 0;
+      return certificate::is_acceptable(guess, proved_, cell, work) && add_proof(guess, work, node);
+    });
   }
 
   /// Tries to prove the cell empty by cutting it; whether something was proved and written.
@@ -273,25 +297,31 @@ private:
   void add_witness(const Witness<D>& witness, const Node& node)
   {
     const auto cell = result_.grid.cell_box(node.corner);
+    std::optional<Cell_proof<D>> proof;
+    if (const auto* change = std::get_if<Sign_change<D>>(&witness)) proof = *change;
+    if (const auto* zero = std::get_if<Triangular_zero<D>>(&witness)) proof = *zero;
     double work = 0;
-    const auto proved = [&](const Polynomial<Rational, D>& g) {
-      return certificate::is_acceptable(witness, g, cell, work);
-    };
-    const auto* change = std::get_if<Sign_change<D>>(&witness);
-    const bool is_of_one_only = change != nullptr && change->first != change->second;
-    if ((is_of_one_only && rational_.size() > 1) || !std::all_of(rational_.begin(), rational_.end(), proved))
-      return leave_unknown("hit, but the decision left no witness that the format can hold", node);
-    double values = 8 + 4 * D;
-    double word_count = values;
-    if (const auto* zero = std::get_if<Triangular_zero<D>>(&witness))
+    if (!proof || !certificate::is_acceptable(*proof, proved_, cell, work))
+      leave_unknown("hit, but the decision left no witness that the format can hold", node);
+    else if (!add_proof(*proof, work, node))
+      leave_unknown(too_large, node);
+  }
+
+  /// Writes an acceptable proof, if there is room for it.
+  bool add_proof(const Cell_proof<D>& proof, double work, const Node& node)
+  {
+    double values = 12 + 4 * D;
+    double word_count = 2 * values;
+    if (const auto* zero = std::get_if<Triangular_zero<D>>(&proof))
       for (const auto& t : zero->chain) {
         values += (D + 2) * static_cast<double>(t.terms().size());
         word_count += static_cast<double>(t.terms().size()) * certificate::longest(t);
       }
-    if (!has_room(work, digits_of_a_word * word_count + 8 * values, values)) return leave_unknown(too_large, node);
+    if (!has_room(work, digits_of_a_word * word_count + 8 * values, values)) return false;
     result_.tree += 'w';
     ++result_.hit;
-    result_.witnesses.push_back({node.corner, witness});
+    result_.witnesses.push_back({node.corner, proof});
+    return true;
   }
 
   void leave_unknown(const std::string& reason, const Node& node)
@@ -325,7 +355,7 @@ private:
   Certificate<D> result_;
   Checkpoint checkpoint_;
   std::function<Cell_decision<D>(const Cell<D>&)> decide_;
-  std::vector<Polynomial<Rational, D>> rational_{}; ///< the square-free parts
+  std::vector<Polynomial<Rational, D>> proved_{}; ///< those that the file's proofs are about
   std::optional<Critical_prover<(D > 1 ? D : 2)>> prover_{};
 };
 

@@ -56,17 +56,36 @@ Json write(const Triangular_zero<D>& zero)
 }
 
 template <std::size_t D>
+Json write(const Miranda_zero<D>& zero, const Grid<D>& grid, const Cell<D>& cell)
+{
+  Rational_box<D> box;
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    const Rational line = grid.line(axis, cell[axis]);
+    box[axis] = Rational_interval((zero.box[axis].lower() - line) / grid.step(axis),
+                                  (zero.box[axis].upper() - line) / grid.step(axis));
+  }
+  Json matrix = Json::array();
+  for (const auto& row : zero.matrix) {
+    Json entries = Json::array();
+    for (const Rational& entry : row) entries.push_back(entry.get_str());
+    matrix.push_back(std::move(entries));
+  }
+  return {{"miranda", {{"box", sides<D>(box)}, {"matrix", std::move(matrix)}}}};
+}
+
+template <std::size_t D>
 Json write(const Proved_cell<D>& proved, const Grid<D>& grid)
 {
-  if (const auto* change = std::get_if<Sign_change<D>>(&proved.witness)) return write(*change, grid, proved.cell);
-  return write(std::get<Triangular_zero<D>>(proved.witness));
+  if (const auto* change = std::get_if<Sign_change<D>>(&proved.proof)) return write(*change, grid, proved.cell);
+  if (const auto* zero = std::get_if<Miranda_zero<D>>(&proved.proof)) return write(*zero, grid, proved.cell);
+  return write(std::get<Triangular_zero<D>>(proved.proof));
 }
 
 /// The entry of one polynomial: null if it is its own square-free part.
 template <std::size_t D>
 Json square_free(const Certified_polynomial<D>& f)
 {
-  if (integer_primitive(f.given) == f.square_free) return nullptr;
+  if (f.is_square_free()) return nullptr;
   return {{"polynomial", terms(f.square_free)}, {"power", f.power}};
 }
 

@@ -206,15 +206,44 @@ bool proves(const Triangular_zero<D>& zero, Polynomial<Rational, D> g, const Rat
   return g.is_zero();
 }
 
+template <std::size_t D>
+bool proves(const Miranda_zero<D>& zero, const std::vector<Polynomial<Rational, D>>& polynomials,
+            const Rational_box<D>& cell, double& work)
+{
+  const std::size_t m = polynomials.size();
+  std::vector<std::size_t> axes;
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    const auto& side = zero.box[axis];
+    if (side.lower() < cell[axis].lower() || side.upper() > cell[axis].upper()) return false;
+    if (side.lower() != side.upper()) axes.push_back(axis);
+  }
+  if (axes.size() != m || zero.matrix.size() != m) return false;
+  double word_count = 0;
+  for (const auto& row : zero.matrix)
+    for (const Rational& entry : row) word_count += length(entry);
+  work += static_cast<double>(m * m * m) * fraction_cost(word_count);
+  for (std::size_t r = 0; r < m; ++r) {
+    Counted_sum<D> sum(work);
+    for (std::size_t j = 0; j < m; ++j)
+      if (zero.matrix[r][j] != 0) sum.add(polynomials[j], zero.matrix[r][j], Exponents<D>{});
+    if (sum.is_hopeless() || !changes_sign_along(sum.polynomial(), axes[r], zero.box, work)) return false;
+  }
+  return true;
+}
+
 } // namespace
 
 template <std::size_t D>
-bool is_acceptable(const Witness<D>& witness, const Polynomial<Rational, D>& g, const Rational_box<D>& cell,
-                   double& work)
+bool is_acceptable(const Cell_proof<D>& proof, const std::vector<Polynomial<Rational, D>>& polynomials,
+                   const Rational_box<D>& cell, double& work)
 {
-  if (const auto* change = std::get_if<Sign_change<D>>(&witness)) return proves(*change, g, cell, work);
-  if (const auto* zero = std::get_if<Triangular_zero<D>>(&witness)) return proves(*zero, g, cell, work);
-  return false;
+  if (const auto* zero = std::get_if<Miranda_zero<D>>(&proof)) return proves(*zero, polynomials, cell, work);
+  const auto* change = std::get_if<Sign_change<D>>(&proof);
+  if (change != nullptr && change->first != change->second && polynomials.size() > 1) return false;
+  return std::all_of(polynomials.begin(), polynomials.end(), [&](const Polynomial<Rational, D>& g) {
+    return change != nullptr ? proves(*change, g, cell, work)
+                             : proves(std::get<Triangular_zero<D>>(proof), g, cell, work);
+  });
 }
 
 template <std::size_t D>
@@ -255,9 +284,12 @@ unsigned highest_multiplicity(const Polynomial<Rational, D>& f)
   }
 }
 
-template bool is_acceptable(const Witness<1>&, const Polynomial<Rational, 1>&, const Rational_box<1>&, double&);
-template bool is_acceptable(const Witness<2>&, const Polynomial<Rational, 2>&, const Rational_box<2>&, double&);
-template bool is_acceptable(const Witness<3>&, const Polynomial<Rational, 3>&, const Rational_box<3>&, double&);
+template bool is_acceptable(const Cell_proof<1>&, const std::vector<Polynomial<Rational, 1>>&, const Rational_box<1>&,
+                            double&);
+template bool is_acceptable(const Cell_proof<2>&, const std::vector<Polynomial<Rational, 2>>&, const Rational_box<2>&,
+                            double&);
+template bool is_acceptable(const Cell_proof<3>&, const std::vector<Polynomial<Rational, 3>>&, const Rational_box<3>&,
+                            double&);
 template double square_free_work(const Polynomial<Rational, 1>&, const Polynomial<Rational, 1>&, unsigned);
 template double square_free_work(const Polynomial<Rational, 2>&, const Polynomial<Rational, 2>&, unsigned);
 template double square_free_work(const Polynomial<Rational, 3>&, const Polynomial<Rational, 3>&, unsigned);

@@ -2,19 +2,19 @@
 #ifndef CORRAL_CERTIFICATE_VALIDATE_H
 #define CORRAL_CERTIFICATE_VALIDATE_H
 
-#include <corral/decision/Witness.h>
-#include <corral/polynomial/Polynomial.h>
+#include <corral/certificate/certificate.h>
 
 #include <cstddef>
+#include <vector>
 
 /// \file
 /// The conditions of doc/certificate.md, section 5, seen from the side that writes.
 namespace corral::certificate {
 
-/// \brief Whether the witness proves a zero of `g` in the closed cell in a way that a checker accepts.
+/// \brief Whether the proof shows a common zero of the polynomials in the closed cell in a way that a checker accepts.
 /// \param work  grows by what a checker counts for it.
 template <std::size_t D>
-[[nodiscard]] bool is_acceptable(const Witness<D>& witness, const Polynomial<Rational, D>& g,
+[[nodiscard]] bool is_acceptable(const Cell_proof<D>& proof, const std::vector<Polynomial<Rational, D>>& polynomials,
                                  const Rational_box<D>& cell, double& work);
 
 /// \brief What a checker counts to see that g divides f and that f divides g^power, as they do; more than `max_work` if

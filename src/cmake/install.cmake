@@ -4,10 +4,11 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Corral)
 
-install(DIRECTORY include/corral DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-# Two exports, so that whoever only wants cells needs no Cairo.
+install(DIRECTORY include/corral include/corral_check DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+# One export each, so that whoever only wants cells needs no Cairo.
 set_target_properties(corral_output PROPERTIES EXPORT_NAME output)
-foreach(target corral corral_output)
+set_target_properties(corral_checker PROPERTIES EXPORT_NAME checker)
+foreach(target corral corral_output corral_checker)
   install(TARGETS ${target} EXPORT ${target} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(EXPORT ${target} NAMESPACE Corral:: DESTINATION ${package_folder})
 endforeach()

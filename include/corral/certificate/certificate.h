@@ -5,6 +5,7 @@
 #include <corral/decision/Witness.h>
 #include <corral/localization/Grid.h>
 #include <corral/polynomial/Polynomial.h>
+#include <corral/polynomial/integer_form.h>
 
 #include <array>
 #include <cstddef>
@@ -13,6 +14,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 /// \file
@@ -20,12 +22,27 @@
 /// with this library can check. The format is specified in doc/certificate.md; `corral-check` checks it.
 namespace corral {
 
+/// \brief A common zero of two polynomials by the theorem of Poincare and Miranda.
+///
+/// The combinations of the polynomials by the rows of the matrix have one strict sign each on one facet of the box and
+/// the opposite one on the other, along the axes in which the box is not flat.
+template <std::size_t D>
+struct Miranda_zero
+{
+  Rational_box<D> box{};
+  std::vector<std::vector<Rational>> matrix{};
+};
+
+/// What proves a zero in a cell, of the square-free parts.
+template <std::size_t D>
+using Cell_proof = std::variant<Sign_change<D>, Triangular_zero<D>, Miranda_zero<D>>;
+
 /// A `hit` that the corners of its cell do not show, with what proves it of every polynomial.
 template <std::size_t D>
 struct Proved_cell
 {
   Cell<D> cell{};
-  Witness<D> witness{}; ///< a `Sign_change` or a `Triangular_zero`, of the square-free parts
+  Cell_proof<D> proof{};
 };
 
 /// A polynomial as given, and the one that the proofs are about.
@@ -35,6 +52,14 @@ struct Certified_polynomial
   Polynomial<Rational, D> given;
   Polynomial<Integer, D> square_free; ///< it has the same zeros
   unsigned power = 1;                 ///< `given` divides this power of `square_free`
+
+  /// Whether `given` is its own square-free part, up to a factor.
+  [[nodiscard]] bool is_square_free() const { return integer_primitive(given) == square_free; }
+  /// The one that the file's proofs are about.
+  [[nodiscard]] Polynomial<Rational, D> proved() const
+  {
+    return is_square_free() ? given : transform<Rational>(square_free, [](const Integer& c) { return Rational(c); });
+  }
 };
 
 /// \brief a q + sum of b_k dq/dx_k, for some polynomial q, is a constant times the product of all factors with their
@@ -87,9 +112,10 @@ struct Certify_options
 /// \brief Decides every cell of the grid exactly and proves it.
 ///
 /// Boxes without zeros are proved empty by Bernstein coefficients over integers, cells by the signs at their corners;
-/// the few others are decided by `Cell_decider` or `System_decider` and proved by the witness. A decision that leaves
-/// no witness which the format can hold is given up as unknown, with a reason: nothing is written that a checker would
-/// refuse.
+/// the few others by points and boxes that doubles have guessed, or they are decided by `Cell_decider` or
+/// `System_decider` and proved by the witness, or near misses by critical multipliers. A decision that leaves
+/// no witness which the format can hold is given up as unknown, with a reason, and so is what would cost too much:
+/// nothing is written that a checker would refuse.
 ///
 /// \param system  one polynomial, or in two and three dimensions two of them, whose common zeros are asked for.
 /// \throw Invalid_input if a polynomial is zero, their number is not as above or the grid has 2^62 cells or more.

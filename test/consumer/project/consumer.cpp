@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// \file
-/// Localises a line, whose cells are known, and writes a picture: a part of each library.
+/// Localises a line, whose cells are known, writes a picture, and has a certificate checked: a part of each library.
+#include <corral/certificate/certificate.h>
 #include <corral/localization/localize_fast.h>
 #include <corral/output/all.h>
 #include <corral/polynomial/parse.h>
+#include <corral_check/check.h>
 
 #include <iostream>
 
@@ -16,5 +18,7 @@ int main()
   const auto found = localize_fast<2>(f, grid);
   write_file("line.svg", grid, found.cells);
   std::cout << found.cells.plotted() << " cells plotted, " << found.cells.hit() << " hit\n";
-  return found.cells.plotted() == 7 && found.cells.hit() == 7 ? 0 : 1; // four on the diagonal, three below it
+  const auto proved = corral_check::check(to_json(certify(f, grid), {"x", "y"})).counts;
+  const bool is_right = found.cells.plotted() == 7 && found.cells.hit() == 7 && proved.hit == 7 && proved.empty == 9;
+  return is_right ? 0 : 1; // four on the diagonal, three below it
 }
