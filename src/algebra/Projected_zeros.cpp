@@ -79,6 +79,7 @@ public:
   {
     if (f_.size() == 1 && g_.size() == 1) return degree(f_[0]) == 0 || degree(g_[0]) == 0;
     auto elimination = eliminate(f_, g_, checkpoint_);
+    if (elimination.resultant.is_zero()) return false; // a common factor of degree 0 in y: lines in this direction
     s1_ = std::make_shared<const Integer_polynomial>(std::move(elimination.s1));
     s0_ = std::make_shared<const Integer_polynomial>(std::move(elimination.s0));
     const auto factors = square_free_decomposition(elimination.resultant, checkpoint_);

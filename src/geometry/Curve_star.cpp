@@ -214,12 +214,17 @@ bool connect_stack(Plane_graph& graph, const Border& border, const Direction& di
   return open.empty();
 }
 
-/// Whether the curve passes through a corner that is not the point: cuts of our own are better placed.
-bool has_other_corner(const Border& border, std::size_t centre)
+/// Whether the curve passes through a corner that is not the point. \throw Not_generic if a cut makes the corner.
+bool has_other_corner(const Plane_graph& graph, const Border& border, std::size_t centre)
 {
+  const auto is_end = [](double x) { return x == 0 || x == 1; };
   for (const auto& column : border.corner)
-    for (const auto& corner : column)
-      if (corner && *corner != centre) return true;
+    for (const auto& corner : column) {
+      if (!corner || *corner == centre) continue;
+      const auto& box = graph.node(*corner).box;
+      if (!is_end(box[0].low) || !is_end(box[1].low)) throw Not_generic{};
+      return true;
+    }
   return false;
 }
 
@@ -272,7 +277,7 @@ bool Curve_cells::finish_star(const Cell& cell, std::size_t point, const Directi
   const auto centre = vertex_at(graph_, found, cell, box);
   outline = found.outline();
   const std::array<Interval, 2> at{in_cell(box[0], cell.box[0]), in_cell(box[1], cell.box[1])};
-  if (centre && !has_other_corner(found, *centre)
+  if (centre && !has_other_corner(graph_, found, *centre)
       && connect_star(graph_, outline, *centre, Entrance(cell, graph_, direction, at))) {
     graph_.node(*centre).box = box;
     graph_.node(*centre).singular = static_cast<int>(point);
@@ -298,7 +303,7 @@ Curve_cells::Shape Curve_cells::resolve_stack(const Cell& cell, Outline& outline
   const std::size_t edges = graph_.edges().size();
   const Border found = border(cell, fine);
   const Direction direction = critical_direction(cell);
-  if (!has_other_corner(found, graph_.size())
+  if (!has_other_corner(graph_, found, graph_.size())
       && connect_stack(graph_, found, direction, Entrance(cell, graph_, direction, {Interval(0), Interval(0)}))) {
     outline = found.outline();
     return Shape::done;

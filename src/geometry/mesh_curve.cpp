@@ -25,13 +25,14 @@ using namespace geometry;
 
 Rational rational(const Integer& c) { return c; }
 
-/// First cuts that no curve drawn by people has for a special coordinate; dyadic with few bits.
-constexpr std::array<std::array<double, 2>, 6> first_cuts{{{265.0 / 512, 247.0 / 512},
-                                                           {243.0 / 512, 271.0 / 512},
-                                                           {277.0 / 512, 239.0 / 512},
-                                                           {233.0 / 512, 281.0 / 512},
-                                                           {287.0 / 512, 227.0 / 512},
-                                                           {221.0 / 512, 291.0 / 512}}};
+/// First cuts that no curve drawn by people has for a special coordinate, nor for the corners they make; dyadic with
+/// few bits.
+constexpr std::array<std::array<double, 2>, 6> first_cuts{{{265.0 / 512, 251.0 / 512},
+                                                          {243.0 / 512, 275.0 / 512},
+                                                          {277.0 / 512, 231.0 / 512},
+                                                          {233.0 / 512, 289.0 / 512},
+                                                          {287.0 / 512, 221.0 / 512},
+                                                          {219.0 / 512, 301.0 / 512}}};
 
 void require_meshable(const Polynomial<Rational, 2>& f, const Rational_box<2>& box, const Mesh_options& options)
 {
@@ -87,45 +88,45 @@ public:
   /// Adds the side of the box between the vertices on it. \param on_side  in increasing order.
   void add_side(std::size_t normal, std::size_t end, std::vector<std::size_t> on_side)
   {
-    const auto at = static_cast<double>(end);
+    crossings_.insert(crossings_.end(), on_side.begin(), on_side.end()); // whatever else meets the side
     for (const bool upper : {false, true}) {
-      std::array<Range, 2> corner;
-      corner[normal] = {at, at};
-      corner[1 - normal] = upper ? Range{1, 1} : Range{0, 0};
+      std::array<double, 2> corner{};
+      corner[normal] = static_cast<double>(end);
+      corner[1 - normal] = upper ? 1 : 0;
       const std::size_t vertex = corner_vertex(corner);
       const auto is_it = [&](std::size_t v) { return graph_.find(v) == graph_.find(vertex); };
       if (std::none_of(on_side.begin(), on_side.end(), is_it))
         on_side.insert(upper ? on_side.end() : on_side.begin(), vertex);
     }
     for (std::size_t k = 0; k + 1 < on_side.size(); ++k) graph_.connect(on_side[k], on_side[k + 1]);
-    // Whatever else meets the side makes its vertex singular.
-    lines_.insert(lines_.end(), on_side.begin() + 1, on_side.end() - 1);
   }
 
-  [[nodiscard]] Curve_mesh finish(const Outline& outline)
+  [[nodiscard]] Curve_mesh finish()
   {
-    (void)outline;
     std::vector<std::size_t> index(graph_.size());
+    mesh_.vertices.reserve(graph_.size());
     for (std::size_t node = 0; node < graph_.size(); ++node)
       if (graph_.find(node) == node) {
         index[node] = mesh_.vertices.size();
         mesh_.vertices.push_back(vertex(graph_.node(node)));
       }
+    mesh_.edges.reserve(graph_.edges().size());
     for (const auto& [a, b] : graph_.edges()) mesh_.edges.push_back({index[graph_.find(a)], index[graph_.find(b)]});
-    for (const std::size_t node : lines_) mesh_.vertices[index[graph_.find(node)]].is_singular = true;
+    for (const std::size_t node : crossings_) mesh_.vertices[index[graph_.find(node)]].is_singular = true;
     return std::move(mesh_);
   }
 
 private:
-  std::size_t corner_vertex(const std::array<Range, 2>& corner)
+  /// The vertex at a corner. One that is already there lies on another part of the curve, too.
+  std::size_t corner_vertex(const std::array<double, 2>& corner)
   {
-    for (std::size_t node = 0; node < graph_.size(); ++node) {
-      const auto& box = graph_.node(node).box;
-      if (box[0].low == corner[0].low && box[0].high == corner[0].low && box[1].low == corner[1].low
-          && box[1].high == corner[1].low)
+    const auto is_at = [&](const Range& range, double x) { return range.low == x && range.high == x; };
+    for (std::size_t node = 0; node < graph_.size(); ++node)
+      if (const auto& box = graph_.node(node).box; is_at(box[0], corner[0]) && is_at(box[1], corner[1])) {
+        crossings_.push_back(node);
         return node;
-    }
-    return graph_.add({corner});
+      }
+    return graph_.add({{Range{corner[0], corner[0]}, Range{corner[1], corner[1]}}});
   }
 
   [[nodiscard]] Rational_interval side(const Range& range, std::size_t axis) const
@@ -157,7 +158,7 @@ private:
 
   Plane_graph graph_;
   const std::vector<Singular_points::Point>& singular_;
-  std::vector<std::size_t> lines_;
+  std::vector<std::size_t> crossings_;
   Curve_mesh mesh_;
 };
 
@@ -199,7 +200,7 @@ Curve_mesh mesh_curve(const Polynomial<Rational, 2>& f, const Rational_box<2>& b
   for (const std::size_t normal : {0U, 1U})
     for (const std::size_t end : {0U, 1U})
       if (parts.side[normal][end]) assembly.add_side(normal, end, outline.side[normal][end]);
-  Curve_mesh mesh = assembly.finish(outline);
+  Curve_mesh mesh = assembly.finish();
   mesh.cells = cells;
   for (const auto& doubt : doubts) {
     Rational_box<2> region;

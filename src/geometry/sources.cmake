@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 target_sources(corral PRIVATE
+  geometry/Algebraic_point.cpp
   geometry/Cell_form.cpp
   geometry/Curve_cells.cpp
   geometry/Curve_star.cpp
@@ -7,4 +8,5 @@ target_sources(corral PRIVATE
   geometry/Side_zeros.cpp
   geometry/Singular_points.cpp
   geometry/components.cpp
-  geometry/mesh_curve.cpp)
+  geometry/mesh_curve.cpp
+  geometry/solve.cpp)

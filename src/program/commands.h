@@ -11,6 +11,8 @@
 namespace corral::program {
 
 void add_localize(CLI::App& app);
+void add_mesh(CLI::App& app);
+void add_solve(CLI::App& app);
 void add_certify(CLI::App& app);
 void add_bound(CLI::App& app);
 void add_reproduce(CLI::App& app);

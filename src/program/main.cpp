@@ -49,6 +49,8 @@ void add_commands(CLI::App& app)
   app.set_version_flag("--version", "corral " CORRAL_VERSION);
   app.require_subcommand(1);
   add_localize(app);
+  add_mesh(app);
+  add_solve(app);
   add_bound(app);
   add_certify(app);
   add_audit(app);

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "../Progress.h"
+#include "../arguments.h"
+#include "../commands.h"
+#include "../whole_number.h"
+
+#include <corral/geometry/mesh_curve.h>
+#include <corral/output/Output_file.h>
+#include <corral/output/curve_meshes.h>
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <memory>
+
+namespace corral::program {
+
+namespace {
+
+struct Mesh_arguments
+{
+  std::vector<std::string> polynomials;
+  std::string box;
+  std::string variables;
+  std::string tolerance;
+  std::size_t max_cells = Mesh_options().max_cells;
+  unsigned repeat = 1;
+  std::vector<std::string> outputs;
+  std::string format = "summary";
+  unsigned size = Output_options().size;
+};
+
+// A thousandth of the shorter side, unless another one is given.
+Rational tolerance_for(const Mesh_arguments& arguments, const Rational_box<2>& box)
+{
+  if (arguments.tolerance.empty())
+    return std::min<Rational>(box[0].upper() - box[0].lower(), box[1].upper() - box[1].lower()) / 1000;
+  const Rational tolerance = parse_rational(arguments.tolerance);
+  if (tolerance <= 0) throw Invalid_input("mesh: tolerance '" + arguments.tolerance + "'; expected a positive number");
+  return tolerance;
+}
+
+std::vector<Named_mesh> compute(const std::vector<std::string>& texts, const std::vector<Polynomial<Rational, 2>>& curves,
+                                const Rational_box<2>& box, const Mesh_options& options)
+{
+  std::vector<Named_mesh> meshes;
+  for (std::size_t k = 0; k < curves.size(); ++k) meshes.push_back({texts[k], mesh_curve(curves[k], box, options)});
+  return meshes;
+}
+
+void mesh_command(const Mesh_arguments& arguments)
+{
+  for (const auto& path : arguments.outputs) static_cast<void>(mesh_writer_for(path)); // fail before the work, not after
+  std::vector<std::string> texts;
+  for (const auto& argument : arguments.polynomials) texts.push_back(polynomial_text(argument));
+  const Space space = read_space(arguments.box, arguments.variables, texts);
+  if (space.sides.size() != 2)
+    throw Invalid_input("mesh: given " + detail::quantity(space.sides.size(), "axis") + "; expected a curve in the plane, so 2");
+  const auto curves = polynomials_of<2>(space, texts);
+  const auto box = box_of<2>(space);
+
+  Progress progress("mesh");
+  Mesh_options options;
+  options.tolerance = tolerance_for(arguments, box);
+  options.max_cells = arguments.max_cells;
+  options.checkpoint = [&] {
+    if (!progress(0)) throw Cancelled("mesh");
+  };
+  std::vector<Named_mesh> meshes;
+  std::vector<double> seconds;
+  for (unsigned run = 0; run < arguments.repeat; ++run) {
+    const auto start = std::chrono::steady_clock::now();
+    meshes = compute(texts, curves, box, options);
+    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  std::sort(seconds.begin(), seconds.end());
+
+  Output_options output;
+  output.variables = space.variables;
+  output.size = arguments.size;
+  output.facts = {{"tolerance", to_string(options.tolerance)}, {"seconds", seconds[seconds.size() / 2]}};
+  if (seconds.size() > 1)
+    output.facts.insert(output.facts.end(), {{"repeat", std::uint64_t{seconds.size()}}, {"seconds_min", seconds.front()}});
+  for (const auto& path : arguments.outputs) {
+    const auto writer = mesh_writer_for(path);
+    write_whole_file(path, [&](std::ostream& out) { writer.write(out, meshes, output); });
+  }
+  if (arguments.format == "json")
+    write_meshes_json(std::cout, meshes, output);
+  else
+    write_meshes_summary(std::cout, meshes, output);
+}
+
+} // namespace
+
+void add_mesh(CLI::App& app)
+{
+  const auto arguments = std::make_shared<Mesh_arguments>();
+  CLI::App* const command =
+      app.add_subcommand("mesh", "Draw a plane curve as polylines with proved topology: components, singular points");
+  command
+      ->add_option("POLY", arguments->polynomials,
+                   "polynomial in two variables; @FILE reads it from a file, @- from standard input.\n"
+                   "With several, each is a curve of its own.")
+      ->required();
+  command->add_option("--box", arguments->box, "LOWER:UPPER for each axis, separated by a comma, such as -1:1,0:3/2")
+      ->required();
+  command->add_option("--variables", arguments->variables, "names of the axes in order (else alphabetical)");
+  command
+      ->add_option("--tolerance", arguments->tolerance,
+                   "greatest distance between curve and polylines, both ways, in the units of the box")
+      ->default_str("a thousandth of the shorter side");
+  command->add_option("--max-cells", arguments->max_cells, "cells to look at; what is unclear then is said to be")
+      ->check(whole_number(1))
+      ->capture_default_str();
+  command->add_option("--repeat", arguments->repeat, "run the computation so many times; the summary says the median time")
+      ->check(whole_number(1))
+      ->capture_default_str();
+  command
+      ->add_option("--output", arguments->outputs, "file to write: .svg .png .json .csv .dxf or .wkt; may be repeated")
+      ->take_all()
+      ->expected(1);
+  command->add_option("--format", arguments->format, "what to print: summary (a line of JSON) or json (with the mesh)")
+      ->check(CLI::IsMember({"summary", "json"}))
+      ->capture_default_str();
+  command->add_option("--size", arguments->size, "longer side of pictures in pixels")
+      ->check(whole_number(64, 8192))
+      ->capture_default_str();
+  command->footer("The polylines are isotopic to the curve in the box, unless \"certified\" is false.\n"
+                  "Examples:\n"
+                  "  corral mesh 'y^2 - x^3 + x' --box -2:2,-2:2 --output elliptic.svg\n"
+                  "  corral mesh 'x^4+y^4-1' '(x^2+y^2)^2-2*(x^2-y^2)' --box -3/2:3/2,-3/2:3/2 --output both.png");
+  command->callback([arguments] { mesh_command(*arguments); });
+}
+
+} // namespace corral::program

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "mesh_checks.h"
+
+#include <corral/errors.h>
+#include <corral/polynomial/arithmetic.h>
+
+#include <ostream>
+
+namespace corral {
+namespace {
+
+using test::box;
+using test::curve;
+
+struct Case
+{
+  std::string name;
+  std::string text;
+  std::array<int, 4> sides; ///< x from, x to, y from, y to
+  std::size_t components;
+  std::size_t closed;
+  std::size_t isolated;
+  std::size_t singular;
+  std::size_t boundary;
+
+  friend std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
+};
+
+class Known_curve : public testing::TestWithParam<Case>
+{};
+
+TEST_P(Known_curve, has_its_topology)
+{
+  const Case& c = GetParam();
+  const auto f = curve(c.text);
+  const Mesh_options options{Rational(1, 10)};
+  const auto mesh = mesh_curve(f, box(c.sides[0], c.sides[1], c.sides[2], c.sides[3]), options);
+  EXPECT_TRUE(mesh.is_certified());
+  EXPECT_EQ(mesh.components.size(), c.components);
+  EXPECT_EQ(mesh.closed_components(), c.closed);
+  EXPECT_EQ(mesh.isolated_points(), c.isolated);
+  EXPECT_EQ(mesh.singular_points(), c.singular);
+  EXPECT_EQ(mesh.boundary_points(), c.boundary);
+  EXPECT_EQ(test::find_crossing(mesh), "");
+  EXPECT_EQ(test::find_stray(mesh, f, options.tolerance), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Plane, Known_curve,
+    testing::Values(
+        Case{"circle", "x^2 + y^2 - 1", {-2, 2, -2, 2}, 1, 1, 0, 0, 0},
+        Case{"squared_circle", "(x^2 + y^2 - 1)^2", {-2, 2, -2, 2}, 1, 1, 0, 0, 0},
+        Case{"touches_from_inside", "x^2 + y^2 - 1", {-1, 1, -1, 1}, 1, 0, 0, 0, 4},
+        Case{"touches_from_outside", "x^2 + y^2 - 1", {1, 2, -1, 1}, 1, 0, 1, 0, 1},
+        Case{"touches_a_corner", "x + y", {0, 1, 0, 1}, 1, 0, 1, 0, 1},
+        Case{"through_corners", "x - y", {0, 1, 0, 1}, 1, 0, 0, 0, 2},
+        Case{"side_and_half_circle", "x*(x^2 + y^2 - 1)", {0, 2, -2, 2}, 1, 0, 0, 2, 4},
+        Case{"all_sides", "x*(x - 1)*y*(y - 1)", {0, 1, 0, 1}, 1, 0, 0, 4, 4},
+        Case{"axis_lines", "(2*x - 1)*(3*y - 1)", {0, 1, 0, 1}, 1, 0, 0, 1, 4},
+        Case{"three_lines", "x*y*(x + y)", {-1, 1, -1, 1}, 1, 0, 0, 1, 6},
+        Case{"node", "y^2 - x^2*(x + 1)", {-2, 2, -4, 4}, 1, 0, 0, 1, 2},
+        Case{"cusp", "y^2 - x^3", {-1, 1, -2, 2}, 1, 0, 0, 1, 2},
+        Case{"tacnode", "y*(y - x^2)", {-1, 1, -1, 2}, 1, 0, 0, 1, 4},
+        Case{"contact_of_order_four", "y*(y - x^4)", {-1, 1, -1, 2}, 1, 0, 0, 1, 4},
+        Case{"acnode", "y^2 + x^2*(1 - x)", {-1, 2, -4, 4}, 2, 1, 1, 1, 2},
+        Case{"irrational_acnodes", "(x^2 - 2)^2 + (y^2 - 3)^2", {-2, 2, -2, 2}, 4, 4, 4, 4, 0},
+        Case{"trifolium", "(x^2 + y^2)^2 - x^3 + 3*x*y^2", {-2, 2, -2, 2}, 1, 1, 0, 1, 0},
+        Case{"quadrifolium", "(x^2 + y^2)^3 - 4*x^2*y^2", {-2, 2, -2, 2}, 1, 1, 0, 1, 0},
+        Case{"node_on_a_side", "y^2 - x^2*(x + 1)", {0, 2, -4, 4}, 1, 0, 0, 1, 3},
+        Case{"cusp_in_a_corner", "y^2 - x^3", {0, 1, 0, 2}, 1, 0, 0, 1, 2},
+        Case{"irrational_triple_points", "(x^2 - 2)*(y^2 - 2)*(x - y)", {-2, 2, -2, 2}, 1, 0, 0, 4, 10},
+        Case{"none", "x^2 + y^2 + 1", {-2, 2, -2, 2}, 0, 0, 0, 0, 0},
+        Case{"nested", "(x^2 + y^2 - 1)*(x^2 + y^2 - 2)", {-2, 2, -2, 2}, 2, 2, 0, 0, 0},
+        Case{"close_circles", "(x^2 + y^2 - 1)*(x^2 + y^2 - 1 - 1/1000000)", {-2, 2, -2, 2}, 2, 2, 0, 0, 0},
+        Case{"tiny_oval", "1000000*(x^2 + y^2) - 1", {-2, 2, -2, 2}, 1, 1, 0, 0, 0}),
+    [](const auto& tested) { return tested.param.name; });
+
+TEST(mesh_curve, counts_do_not_depend_on_the_coordinates)
+{
+  const std::vector<std::string> texts{"(x^2 + y^2)^2 - 2*(x^2 - y^2)", "y^2 - x^3 + x", "(x^2 - 2)*(y^2 - 3) - 1/7",
+                                       "(x - y^2)*(x^2 + y^2 - 1)"};
+  for (const auto& text : texts) {
+    const auto f = curve(text);
+    const auto counts = [&](const Polynomial<Rational, 2>& g) {
+      const auto mesh = mesh_curve(g, box(-4, 4, -4, 4), {Rational(1, 10)});
+      EXPECT_TRUE(mesh.is_certified());
+      return std::array{mesh.components.size(), mesh.closed_components(), mesh.isolated_points(), mesh.singular_points(),
+                        mesh.boundary_points()};
+    };
+    const auto own = counts(f);
+    std::vector<Polynomial<Rational, 2>::Term> swapped;
+    std::vector<Polynomial<Rational, 2>::Term> mirrored;
+    for (const auto& term : f.terms()) {
+      swapped.push_back({{term.exponents[1], term.exponents[0]}, term.coefficient});
+      mirrored.push_back({term.exponents, Rational(term.exponents[0] % 2 == 0 ? term.coefficient : -term.coefficient)});
+    }
+    EXPECT_EQ(counts(collect<Rational, 2>(swapped)), own) << text;
+    EXPECT_EQ(counts(collect<Rational, 2>(mirrored)), own) << text;
+  }
+}
+
+TEST(mesh_curve, keeps_the_tolerance)
+{
+  const auto f = curve("(x^2 + y^2)^2 - 2*(x^2 - y^2)");
+  for (const Rational& tolerance : {Rational(1, 2), Rational(1, 30), Rational(1, 500)}) {
+    const auto mesh = mesh_curve(f, box(-2, 2, -1, 1), {tolerance});
+    EXPECT_EQ(test::find_stray(mesh, f, tolerance), "");
+  }
+}
+
+TEST(mesh_curve, says_what_is_uncertain)
+{
+  Mesh_options options;
+  options.max_cells = 10;
+  const auto mesh = mesh_curve(curve("(x^2 + y^2)^2 - 2*(x^2 - y^2)"), box(-2, 2, -2, 2), options);
+  EXPECT_FALSE(mesh.is_certified());
+  EXPECT_FALSE(mesh.uncertified.front().reason.empty());
+}
+
+TEST(mesh_curve, refuses_what_it_cannot_mesh)
+{
+  const auto f = curve("x^2 + y^2 - 1");
+  EXPECT_THROW((void)mesh_curve(Polynomial<Rational, 2>(), box(0, 1, 0, 1)), Invalid_input);
+  EXPECT_THROW((void)mesh_curve(f, box(0, 0, 0, 1)), Invalid_input);
+  EXPECT_THROW((void)mesh_curve(f, box(0, 1, 0, 1), {Rational(0)}), Invalid_input);
+}
+
+// The checks themselves can fail.
+TEST(mesh_checks, notice_planted_faults)
+{
+  const auto f = curve("(x^2 + y^2 - 1)*(x^2 + y^2 - 4)");
+  const Mesh_options options{Rational(1, 10)};
+  const auto good = mesh_curve(f, box(-3, 3, -3, 3), options);
+  ASSERT_EQ(test::find_crossing(good), "");
+  ASSERT_EQ(test::find_stray(good, f, options.tolerance), "");
+
+  auto swapped = good; // two branches exchanged
+  const std::size_t far = swapped.edges.size() / 2;
+  std::swap(swapped.edges[0][1], swapped.edges[far][1]);
+  EXPECT_TRUE(!test::find_crossing(swapped).empty() || !test::find_stray(swapped, f, options.tolerance).empty());
+
+  auto moved = good; // a vertex off the curve
+  for (auto& side : moved.vertices[0].box) side += Rational_interval(Rational(1, 5));
+  EXPECT_NE(test::find_stray(moved, f, options.tolerance), "");
+}
+
+} // namespace
+} // namespace corral
