@@ -87,7 +87,7 @@ TEST_F(Output_files, that_are_unfinished_can_be_removed_by_a_handler)
   {
     std::vector<std::unique_ptr<Output_file>> open;
     for (int k = 0; k < 100; ++k) {
-      open.push_back(std::make_unique<Output_file>(folder_ / ("f" + std::to_string(k))));
+      open.push_back(std::make_unique<Output_file>(folder_ / std::to_string(k)));
       open.back()->stream() << "half" << std::flush;
     }
     Output_file done(folder_ / "done.txt");
