@@ -6,8 +6,7 @@
 /// How a translation unit that includes Corral must be compiled. Every header includes this one.
 
 #if defined __FAST_MATH__ || (defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__)
-#error                                                                                                                 \
-    "Corral: compiled with -ffast-math or -ffinite-math-only; expected IEEE 754 arithmetic, infinities and NaN included"
+#error "Corral: compiled with -ffast-math or -ffinite-math-only; expected IEEE 754 arithmetic and infinities"
 #endif
 #if defined __ASSOCIATIVE_MATH__
 #error "Corral: compiled with -fassociative-math; expected sums in the order in which they are written"

@@ -24,7 +24,8 @@ namespace {
 
 constexpr double guess_length = 0x1p-4;   // of cells in which a singular point is guessed
 constexpr double algebra_length = 0x1p-9; // of cells for which all are computed
-constexpr double fine = 0x1p-26;          // of a side: signs at its zeros should show
+// Parts of a side up to which its zeros are known, so that signs at them show: two tries.
+constexpr std::array<double, 2> fine{0x1p-26, 0x1p-42};
 constexpr double strip_length = 0x1p-5;   // of cells that are compared with all critical values
 
 Interval interval(const Range& range) { return {range.low, range.high}; }
@@ -273,17 +274,19 @@ bool Curve_cells::finish_star(const Cell& cell, std::size_t point, const Directi
   const std::size_t nodes = graph_.size();
   const std::size_t edges = graph_.edges().size();
   const auto box = singular_.points()[point].unit_box;
-  const Border found = border(cell, fine);
-  const auto centre = vertex_at(graph_, found, cell, box);
-  outline = found.outline();
   const std::array<Interval, 2> at{in_cell(box[0], cell.box[0]), in_cell(box[1], cell.box[1])};
-  if (centre && !has_other_corner(graph_, found, *centre)
-      && connect_star(graph_, outline, *centre, Entrance(cell, graph_, direction, at))) {
-    graph_.node(*centre).box = box;
-    graph_.node(*centre).singular = static_cast<int>(point);
-    return true;
+  for (const double precision : fine) {
+    const Border found = border(cell, precision);
+    const auto centre = vertex_at(graph_, found, cell, box);
+    outline = found.outline();
+    if (centre && !has_other_corner(graph_, found, *centre)
+        && connect_star(graph_, outline, *centre, Entrance(cell, graph_, direction, at))) {
+      graph_.node(*centre).box = box;
+      graph_.node(*centre).singular = static_cast<int>(point);
+      return true;
+    }
+    graph_.roll_back(nodes, edges);
   }
-  graph_.roll_back(nodes, edges);
   outline = {};
   return false;
 }
@@ -301,14 +304,16 @@ Curve_cells::Shape Curve_cells::resolve_stack(const Cell& cell, Outline& outline
   if (!is_small(cell) || !singular_.is_regular(cell.box, std::nullopt)) return Shape::unclear;
   const std::size_t nodes = graph_.size();
   const std::size_t edges = graph_.edges().size();
-  const Border found = border(cell, fine);
   const Direction direction = critical_direction(cell);
-  if (!has_other_corner(graph_, found, graph_.size())
-      && connect_stack(graph_, found, direction, Entrance(cell, graph_, direction, {Interval(0), Interval(0)}))) {
-    outline = found.outline();
-    return Shape::done;
+  for (const double precision : fine) {
+    const Border found = border(cell, precision);
+    if (!has_other_corner(graph_, found, graph_.size())
+        && connect_stack(graph_, found, direction, Entrance(cell, graph_, direction, {Interval(0), Interval(0)}))) {
+      outline = found.outline();
+      return Shape::done;
+    }
+    graph_.roll_back(nodes, edges);
   }
-  graph_.roll_back(nodes, edges);
   return Shape::unclear;
 }
 

@@ -4,6 +4,7 @@
 #include "../algebra/Bivariate.h"
 #include "../algebra/restriction.h"
 
+#include <corral/errors.h>
 #include <corral/number/Double_bracket.h>
 
 #include <algorithm>
@@ -203,7 +204,11 @@ Side_zeros isolate_exactly(const Polynomial<Integer, 2>& f, const Segment& side,
     result.signs.push_back(corral::sign_at(p, sample));
   }
   for (std::size_t k = 0; k + 1 < result.zeros.size(); ++k)
-    if (result.zeros[k].high > result.zeros[k + 1].low) return isolate_exactly(f, side, width / 1024);
+    if (result.zeros[k].high > result.zeros[k + 1].low) {
+      if (width < 0x1p-70) // they are apart, but no doubles lie between them
+        throw Budget_exceeded("mesh_curve: two branches are closer than 2^-52 of the box; expected a smaller box");
+      return isolate_exactly(f, side, width / 1024);
+    }
   return result;
 }
 

@@ -35,7 +35,7 @@ struct Side_zeros
                                                 const std::array<int, 2>& ends, const Segment& side, double width);
 
 /// \brief The same by integers, for any polynomial.
-/// \throw Not_generic if the polynomial vanishes on the whole side.
+/// \throw Not_generic if the polynomial vanishes on the whole side; Budget_exceeded if doubles cannot tell two apart.
 [[nodiscard]] Side_zeros isolate_exactly(const Polynomial<Integer, 2>& f, const Segment& side, double width);
 
 /// Bounds, on the part [low, high] of [0, 1], of the polynomial with Bernstein coefficients no further than `error` from

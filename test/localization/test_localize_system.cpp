@@ -75,6 +75,7 @@ Cell_set<D> intersection(const System<D>& system, const Grid<D>& grid)
     if (std::ranges::all_of(all, [&](const auto& cells) { return cells.at(cell) != Verdict::empty; }))
       result.append(cell, Verdict::unknown);
   });
+  result.finish();
   return result;
 }
 
