@@ -138,7 +138,8 @@ std::vector<double> Cell_form::slope_on_side(std::size_t normal, bool upper) con
   const std::size_t fixed = upper ? degree_[normal] - 1 : 0;
   std::vector<double> result;
   for (std::size_t k = 0; k <= degree_[1 - normal]; ++k)
-    result.push_back(normal == 0 ? (*this)(fixed + 1, k) - (*this)(fixed, k) : (*this)(k, fixed + 1) - (*this)(k, fixed));
+    result.push_back(normal == 0 ? (*this)(fixed + 1, k) - (*this)(fixed, k)
+                                 : (*this)(k, fixed + 1) - (*this)(k, fixed));
   return result;
 }
 

@@ -8,7 +8,7 @@ namespace corral::geometry {
 
 namespace {
 
-constexpr double coarse = 0x1p-7; // of a side: zeros on it should be apart
+constexpr double coarse = 0x1p-7;        // of a side: zeros on it should be apart
 constexpr double least_length = 0x1p-40; // of a cell in the unit box: its corners are doubles
 
 struct Event
@@ -53,7 +53,9 @@ Outline Curve_cells::trace(Cell cell)
   if (settings_.checkpoint && cells_ % 256 == 0) settings_.checkpoint();
   ++cells_;
   if (cell.form.error() > 0x1p-16 * cell.form.largest()) {
-    const auto side = [&](std::size_t k) { return Rational_interval(Rational(cell.box[k].low), Rational(cell.box[k].high)); };
+    const auto side = [&](std::size_t k) {
+      return Rational_interval(Rational(cell.box[k].low), Rational(cell.box[k].high));
+    };
     cell.form = Cell_form(f_, {side(0), side(1)});
   }
   Outline outline;
@@ -82,13 +84,15 @@ Outline Curve_cells::give_up(const Cell& cell, const std::string& reason)
 Curve_cells::Shape Curve_cells::resolve(Cell& cell, Outline& outline)
 {
   if (!cell.form.range().has_zero()) return Shape::done;
+  bool is_graph = false;
   for (const std::size_t axis : {0U, 1U}) {
     std::array<std::size_t, 2> order{};
     order[1 - axis] = 1;
     if (cell.form.derivative(order).has_zero()) continue;
-    if (const auto shape = resolve_graph(cell, axis, outline); shape != Shape::unclear) return shape;
+    is_graph = true;
+    if (resolve_graph(cell, axis, outline) == Shape::done) return Shape::done;
   }
-  return resolve_singular(cell, outline);
+  return is_graph ? Shape::coarse : resolve_singular(cell, outline);
 }
 
 /// The border with all its zeros, up to a part `precision` of its sides.
@@ -108,10 +112,10 @@ Border Curve_cells::border(const Cell& cell, double precision)
   for (const std::size_t normal : {0U, 1U})
     for (const std::size_t end : {0U, 1U}) {
       const Segment side = cell.side(normal, end == 1);
-      const std::array<int, 2> ends = normal == 0 ? std::array{signs[end][0], signs[end][1]}
-                                                  : std::array{signs[0][end], signs[1][end]};
-      const double width = std::min(settings_.tolerance / (8 * settings_.size[1 - normal]),
-                                    precision * (side.high - side.low));
+      const std::array<int, 2> ends =
+          normal == 0 ? std::array{signs[end][0], signs[end][1]} : std::array{signs[0][end], signs[1][end]};
+      const double width =
+          std::min(settings_.tolerance / (8 * settings_.size[1 - normal]), precision * (side.high - side.low));
       auto zeros = isolate(form.side(normal, end == 1), form.error(), ends, side, width);
       if (!zeros) zeros = isolate_exactly(f_, side, width);
       for (const Range& zero : zeros->zeros) {
@@ -143,9 +147,8 @@ bool Curve_cells::is_flat(const Cell& cell, std::size_t axis) const
   const Range across = bound(0, 1);
   const double least = across.low > 0 ? across.low : -across.high;
   const double slope = bound(1, 0).magnitude() / least;
-  const double second = (bound(2, 0).magnitude() + 2 * bound(1, 1).magnitude() * slope
-                         + bound(0, 2).magnitude() * slope * slope)
-                        / least;
+  const double second =
+      (bound(2, 0).magnitude() + 2 * bound(1, 1).magnitude() * slope + bound(0, 2).magnitude() * slope * slope) / least;
   return second / 8 * cell.length(1 - axis) * settings_.size[1 - axis] * (1 + 0x1p-40) <= settings_.tolerance / 2;
 }
 

@@ -31,8 +31,8 @@ struct Direction;
 /// The zeros on the four sides of a cell, as vertices of the graph.
 struct Border
 {
-  std::array<std::array<Side_zeros, 2>, 2> zeros;                ///< [normal axis][lower or upper], without corners
-  std::array<std::array<std::vector<std::size_t>, 2>, 2> inside; ///< the vertices of these
+  std::array<std::array<Side_zeros, 2>, 2> zeros;                  ///< [normal axis][lower or upper], without corners
+  std::array<std::array<std::vector<std::size_t>, 2>, 2> inside;   ///< the vertices of these
   std::array<std::array<std::optional<std::size_t>, 2>, 2> corner; ///< [upper x][upper y]
 
   [[nodiscard]] Outline outline() const;

@@ -26,7 +26,7 @@ constexpr double guess_length = 0x1p-4;   // of cells in which a singular point 
 constexpr double algebra_length = 0x1p-9; // of cells for which all are computed
 // Parts of a side up to which its zeros are known, so that signs at them show: two tries.
 constexpr std::array<double, 2> fine{0x1p-26, 0x1p-42};
-constexpr double strip_length = 0x1p-5;   // of cells that are compared with all critical values
+constexpr double strip_length = 0x1p-5; // of cells that are compared with all critical values
 
 Interval interval(const Range& range) { return {range.low, range.high}; }
 
@@ -109,7 +109,8 @@ private:
       along[0] = 0;
     std::array<Interval, 2> gradient;
     gradient[normal] = interval(across) * Interval(static_cast<int>(form.degree(normal)));
-    gradient[1 - normal] = interval(range_on_part(along, error, part)) * Interval(static_cast<int>(form.degree(1 - normal)));
+    gradient[1 - normal] =
+        interval(range_on_part(along, error, part)) * Interval(static_cast<int>(form.degree(1 - normal)));
     return gradient;
   }
 
@@ -196,7 +197,8 @@ bool connect_stack(Plane_graph& graph, const Border& border, const Direction& di
         const bool is_low = normal == 1 ? end == 0 : (end == 0) == (slant > 0);
         passages.push_back({entrance.form_at(vertex), vertex, 2 * normal + end, is_low, growth > 0});
       }
-  std::sort(passages.begin(), passages.end(), [](const auto& a, const auto& b) { return a.form.lower() < b.form.lower(); });
+  std::sort(passages.begin(), passages.end(),
+            [](const auto& a, const auto& b) { return a.form.lower() < b.form.lower(); });
   for (std::size_t k = 0; k + 1 < passages.size(); ++k)
     if (passages[k].form.upper() >= passages[k + 1].form.lower()) return false;
   std::vector<Passage> open; // from low to high

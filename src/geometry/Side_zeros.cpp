@@ -104,7 +104,8 @@ public:
   [[nodiscard]] bool run(Part part, unsigned depth)
   {
     const int zeros = count(part);
-    if (zeros == 0) return note_sign(part.ends[0] != 0 ? part.ends[0] : part.ends[1] != 0 ? part.ends[1] : sign_of(part));
+    if (zeros == 0)
+      return note_sign(part.ends[0] != 0 ? part.ends[0] : part.ends[1] != 0 ? part.ends[1] : sign_of(part));
     if (zeros == 1 && part.ends[0] != 0 && part.ends[1] != 0) {
       note_sign(part.ends[0]);
       const int after = part.ends[1];
@@ -179,7 +180,8 @@ Side_zeros isolate_exactly(const Polynomial<Integer, 2>& f, const Segment& side,
   const Rational low(side.low);
   const Rational high(side.high);
   auto roots = isolate_real_roots(p, Rational_interval(low, high));
-  std::erase_if(roots, [&](const Real_root& root) { return root.is_point() && (root.lower() == low || root.lower() == high); });
+  std::erase_if(
+      roots, [&](const Real_root& root) { return root.is_point() && (root.lower() == low || root.lower() == high); });
   Side_zeros result;
   Rational before = low;
   for (std::size_t k = 0; k < roots.size(); ++k) {

@@ -38,8 +38,8 @@ struct Side_zeros
 /// \throw Not_generic if the polynomial vanishes on the whole side; Budget_exceeded if doubles cannot tell two apart.
 [[nodiscard]] Side_zeros isolate_exactly(const Polynomial<Integer, 2>& f, const Segment& side, double width);
 
-/// Bounds, on the part [low, high] of [0, 1], of the polynomial with Bernstein coefficients no further than `error` from
-/// these.
+/// Bounds, on the part [low, high] of [0, 1], of the polynomial with Bernstein coefficients no further than `error`
+/// from these.
 [[nodiscard]] Range range_on_part(std::vector<double> coefficients, double error, const Range& part);
 
 /// The exact sign of f at a point of the unit box.
@@ -47,7 +47,8 @@ struct Side_zeros
 
 /// A line of our own meets what it must not meet; another choice will do.
 struct Not_generic
-{};
+{
+};
 
 } // namespace corral::geometry
 

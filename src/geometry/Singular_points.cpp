@@ -86,7 +86,8 @@ bool Singular_points::guess(const std::array<Range, 2>& part)
   Rational_point<2> point;
   for (std::size_t k = 0; k < 2; ++k) {
     const Rational width = box_[k].upper() - box_[k].lower();
-    point[k] = simplest_rational({box_[k].lower() + width * Rational(part[k].low), box_[k].lower() + width * Rational(part[k].high)});
+    point[k] = simplest_rational(
+        {box_[k].lower() + width * Rational(part[k].low), box_[k].lower() + width * Rational(part[k].high)});
   }
   if (is_known(point) || !exact::vanishes_at(f_, point) || !exact::vanishes_at(derivative(f_, 0), point)
       || !exact::vanishes_at(derivative(f_, 1), point))

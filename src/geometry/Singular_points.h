@@ -19,8 +19,8 @@ class Singular_points
 public:
   struct Point
   {
-    Rational_box<2> box;            ///< in the coordinates of the caller
-    std::array<Range, 2> unit_box;  ///< in those of the unit box
+    Rational_box<2> box;                       ///< in the coordinates of the caller
+    std::array<Range, 2> unit_box;             ///< in those of the unit box
     std::optional<exact::Projected_zero> zero; ///< none if it was guessed and not met since
     unsigned order = 0;                        ///< see `order_along`
 

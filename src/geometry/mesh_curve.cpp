@@ -28,11 +28,11 @@ Rational rational(const Integer& c) { return c; }
 /// First cuts that no curve drawn by people has for a special coordinate, nor for the corners they make; dyadic with
 /// few bits.
 constexpr std::array<std::array<double, 2>, 6> first_cuts{{{265.0 / 512, 251.0 / 512},
-                                                          {243.0 / 512, 275.0 / 512},
-                                                          {277.0 / 512, 231.0 / 512},
-                                                          {233.0 / 512, 289.0 / 512},
-                                                          {287.0 / 512, 221.0 / 512},
-                                                          {219.0 / 512, 301.0 / 512}}};
+                                                           {243.0 / 512, 275.0 / 512},
+                                                           {277.0 / 512, 231.0 / 512},
+                                                           {233.0 / 512, 289.0 / 512},
+                                                           {287.0 / 512, 221.0 / 512},
+                                                           {219.0 / 512, 301.0 / 512}}};
 
 void require_meshable(const Polynomial<Rational, 2>& f, const Rational_box<2>& box, const Mesh_options& options)
 {

@@ -91,7 +91,8 @@ Plane_zeros solve(const Polynomial<Rational, 2>& f, const Polynomial<Rational, 2
                   const std::optional<Rational_box<2>>& box, const Checkpoint& checkpoint)
 {
   if (f.is_zero() || g.is_zero())
-    throw Invalid_input("solve: a polynomial is zero, so that the zeros are those of the other one; expected two that are not");
+    throw Invalid_input(
+        "solve: a polynomial is zero, so that the zeros are those of the other one; expected two that are not");
   auto parts = exact::common_factor(integer_primitive(f), integer_primitive(g));
   auto zeros = common_zeros(parts.f, parts.g, box, checkpoint);
   if (!parts.divisor.is_constant())

@@ -32,7 +32,12 @@ std::string kind(const Curve_vertex& vertex)
   return result.empty() ? "regular" : result;
 }
 
-Json interval(const Rational_interval& side) { return Json::array({to_string(side.lower()), to_string(side.upper())}); }
+Json sides(const Rational_box<2>& box)
+{
+  Json result = Json::array();
+  for (const auto& side : box) result.push_back(Json::array({to_string(side.lower()), to_string(side.upper())}));
+  return result;
+}
 
 Json counts(const Named_mesh& named)
 {
@@ -52,8 +57,7 @@ Json counts(const Named_mesh& named)
 Json regions(const Curve_mesh& mesh)
 {
   Json list = Json::array();
-  for (const auto& region : mesh.uncertified)
-    list.push_back({{"box", {interval(region.box[0]), interval(region.box[1])}}, {"reason", region.reason}});
+  for (const auto& region : mesh.uncertified) list.push_back({{"box", sides(region.box)}, {"reason", region.reason}});
   return list;
 }
 
@@ -65,7 +69,7 @@ Json graph(const Curve_mesh& mesh)
                         {"kind", kind(vertex)},
                         {"branches", vertex.branches},
                         {"component", vertex.component},
-                        {"box", {interval(vertex.box[0]), interval(vertex.box[1])}}});
+                        {"box", sides(vertex.box)}});
   Json components = Json::array();
   for (const auto& component : mesh.components) {
     Json entry{{"closed", component.is_closed}, {"vertices", component.vertices}, {"edges", component.edges}};
@@ -79,7 +83,7 @@ Json graph(const Curve_mesh& mesh)
 Json document(const std::vector<Named_mesh>& meshes, const Output_options& options, bool whole)
 {
   Json result = meshes.size() == 1 ? counts(meshes[0]) : Json::object();
-  if (!meshes.empty()) result["box"] = {interval(meshes[0].mesh.box[0]), interval(meshes[0].mesh.box[1])};
+  if (!meshes.empty()) result["box"] = sides(meshes[0].mesh.box);
   result["variables"] = {axis_name(options, 0), axis_name(options, 1)};
   bool certified = true;
   Json curves = Json::array();
@@ -97,7 +101,8 @@ Json document(const std::vector<Named_mesh>& meshes, const Output_options& optio
     result["curves"] = std::move(curves);
     result["certified"] = certified;
   }
-  for (const auto& [name, fact] : options.facts) std::visit([&, key = name](const auto& value) { result[key] = value; }, fact);
+  for (const auto& [name, fact] : options.facts)
+    std::visit([&, key = name](const auto& value) { result[key] = value; }, fact);
   return result;
 }
 
@@ -169,7 +174,8 @@ void write_meshes_wkt(std::ostream& out, const std::vector<Named_mesh>& meshes, 
     for (const auto& line : polylines(mesh)) {
       std::string text;
       for (const std::size_t v : line)
-        text += (text.empty() ? "" : ", ") + number(mesh.vertices[v].point[0]) + ' ' + number(mesh.vertices[v].point[1]);
+        text +=
+            (text.empty() ? "" : ", ") + number(mesh.vertices[v].point[0]) + ' ' + number(mesh.vertices[v].point[1]);
       std::string& list = line.size() == 1 ? points : lines;
       list += (list.empty() ? "(" : ", (") + text + ')';
     }

@@ -258,12 +258,13 @@ TEST(Certify, proofs_of_systems_are_not_interchangeable)
   const auto grid = cube<2>("-2", "2", 4);
   const auto f = parse_polynomial<2>("x^2 - 2", names<2>());
   const auto g = parse_polynomial<2>("y^2 - 3", names<2>());
-  const auto h = parse_polynomial<2>("y^2 - 3 - 1/1000", names<2>());
+  const auto h =
+      parse_polynomial<2>("y^2 - 3 - 1/4", names<2>()); // zeros in the same cells, outside the boxes of the proofs
   const std::string whole = to_json(certify(std::vector{f, g}, grid), names<2>());
   EXPECT_EQ(rejection(whole), "");
   auto forged = certify(std::vector{f, g}, grid);
   forged.polynomials[1] = {h, square_free_part(h)};
-  EXPECT_NE(rejection(to_json(forged, names<2>())).find("does not reduce to zero"), std::string::npos);
+  EXPECT_NE(rejection(to_json(forged, names<2>())), "");
   forged = certify(f, grid);
   forged.polynomials.push_back({g, square_free_part(g)});
   EXPECT_NE(rejection(to_json(forged, names<2>())), "");

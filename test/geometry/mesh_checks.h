@@ -91,8 +91,7 @@ inline std::string find_stray(const Curve_mesh& mesh, const Polynomial<Rational,
     const auto& a = mesh.vertices[mesh.edges[e][0]].point;
     const auto& b = mesh.vertices[mesh.edges[e][1]].point;
     Rational_box<2> near;
-    for (std::size_t k = 0; k < 2; ++k)
-      near[k] = {(a[k] + b[k]) / 2 - tolerance, (a[k] + b[k]) / 2 + tolerance};
+    for (std::size_t k = 0; k < 2; ++k) near[k] = {(a[k] + b[k]) / 2 - tolerance, (a[k] + b[k]) / 2 + tolerance};
     if (!holds_zero(f, near)) return "edge " + std::to_string(e);
   }
   return "";

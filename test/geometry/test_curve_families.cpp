@@ -30,14 +30,17 @@ struct Weierstrass
   }
   [[nodiscard]] Polynomial<Rational, 2> polynomial() const
   {
-    return collect<Rational, 2>({{{0, 2}, 1}, {{1, 1}, a1}, {{0, 1}, a3}, {{3, 0}, -1}, {{2, 0}, -a2}, {{1, 0}, -a4}, {{0, 0}, -a6}});
+    return collect<Rational, 2>(
+        {{{0, 2}, 1}, {{1, 1}, a1}, {{0, 1}, a3}, {{3, 0}, -1}, {{2, 0}, -a2}, {{1, 0}, -a4}, {{0, 0}, -a6}});
   }
 };
 
 TEST(elliptic_curves, have_two_components_iff_the_discriminant_is_positive)
 {
   std::mt19937 random(11);
-  const auto pick = [&](long low, long high) { return low + static_cast<long>(random() % static_cast<unsigned long>(high - low + 1)); };
+  const auto pick = [&](long low, long high) {
+    return low + static_cast<long>(random() % static_cast<unsigned long>(high - low + 1));
+  };
   int smooth = 0;
   int both = 0;
   while (smooth < test::rounds(300)) {
@@ -63,7 +66,8 @@ struct Circle
 
   [[nodiscard]] Polynomial<Rational, 2> polynomial() const
   {
-    return collect<Rational, 2>({{{2, 0}, 1}, {{0, 2}, 1}, {{1, 0}, -2 * x}, {{0, 1}, -2 * y}, {{0, 0}, Rational(x * x + y * y - r * r)}});
+    return collect<Rational, 2>(
+        {{{2, 0}, 1}, {{0, 2}, 1}, {{1, 0}, -2 * x}, {{0, 1}, -2 * y}, {{0, 0}, Rational(x * x + y * y - r * r)}});
   }
 };
 
@@ -116,7 +120,8 @@ TEST(sums_of_squares, are_the_common_zeros)
   const auto pick = [&] { return Rational(static_cast<long>(random() % 15) - 7, 3); };
   for (int round = 0; round < test::rounds(40); ++round) {
     const auto conic = [&] {
-      return collect<Rational, 2>({{{2, 0}, pick()}, {{1, 1}, pick()}, {{0, 2}, pick()}, {{1, 0}, pick()}, {{0, 1}, pick()}, {{0, 0}, pick()}});
+      return collect<Rational, 2>(
+          {{{2, 0}, pick()}, {{1, 1}, pick()}, {{0, 2}, pick()}, {{1, 0}, pick()}, {{0, 1}, pick()}, {{0, 0}, pick()}});
     };
     const auto a = conic();
     const auto b = conic();

@@ -4,6 +4,7 @@
 #include <corral/errors.h>
 #include <corral/polynomial/arithmetic.h>
 
+#include <algorithm>
 #include <ostream>
 
 namespace corral {
@@ -27,7 +28,8 @@ struct Case
 };
 
 class Known_curve : public testing::TestWithParam<Case>
-{};
+{
+};
 
 TEST_P(Known_curve, has_its_topology)
 {
@@ -47,32 +49,31 @@ TEST_P(Known_curve, has_its_topology)
 
 INSTANTIATE_TEST_SUITE_P(
     Plane, Known_curve,
-    testing::Values(
-        Case{"circle", "x^2 + y^2 - 1", {-2, 2, -2, 2}, 1, 1, 0, 0, 0},
-        Case{"squared_circle", "(x^2 + y^2 - 1)^2", {-2, 2, -2, 2}, 1, 1, 0, 0, 0},
-        Case{"touches_from_inside", "x^2 + y^2 - 1", {-1, 1, -1, 1}, 1, 0, 0, 0, 4},
-        Case{"touches_from_outside", "x^2 + y^2 - 1", {1, 2, -1, 1}, 1, 0, 1, 0, 1},
-        Case{"touches_a_corner", "x + y", {0, 1, 0, 1}, 1, 0, 1, 0, 1},
-        Case{"through_corners", "x - y", {0, 1, 0, 1}, 1, 0, 0, 0, 2},
-        Case{"side_and_half_circle", "x*(x^2 + y^2 - 1)", {0, 2, -2, 2}, 1, 0, 0, 2, 4},
-        Case{"all_sides", "x*(x - 1)*y*(y - 1)", {0, 1, 0, 1}, 1, 0, 0, 4, 4},
-        Case{"axis_lines", "(2*x - 1)*(3*y - 1)", {0, 1, 0, 1}, 1, 0, 0, 1, 4},
-        Case{"three_lines", "x*y*(x + y)", {-1, 1, -1, 1}, 1, 0, 0, 1, 6},
-        Case{"node", "y^2 - x^2*(x + 1)", {-2, 2, -4, 4}, 1, 0, 0, 1, 2},
-        Case{"cusp", "y^2 - x^3", {-1, 1, -2, 2}, 1, 0, 0, 1, 2},
-        Case{"tacnode", "y*(y - x^2)", {-1, 1, -1, 2}, 1, 0, 0, 1, 4},
-        Case{"contact_of_order_four", "y*(y - x^4)", {-1, 1, -1, 2}, 1, 0, 0, 1, 4},
-        Case{"acnode", "y^2 + x^2*(1 - x)", {-1, 2, -4, 4}, 2, 1, 1, 1, 2},
-        Case{"irrational_acnodes", "(x^2 - 2)^2 + (y^2 - 3)^2", {-2, 2, -2, 2}, 4, 4, 4, 4, 0},
-        Case{"trifolium", "(x^2 + y^2)^2 - x^3 + 3*x*y^2", {-2, 2, -2, 2}, 1, 1, 0, 1, 0},
-        Case{"quadrifolium", "(x^2 + y^2)^3 - 4*x^2*y^2", {-2, 2, -2, 2}, 1, 1, 0, 1, 0},
-        Case{"node_on_a_side", "y^2 - x^2*(x + 1)", {0, 2, -4, 4}, 1, 0, 0, 1, 3},
-        Case{"cusp_in_a_corner", "y^2 - x^3", {0, 1, 0, 2}, 1, 0, 0, 1, 2},
-        Case{"irrational_triple_points", "(x^2 - 2)*(y^2 - 2)*(x - y)", {-2, 2, -2, 2}, 1, 0, 0, 4, 10},
-        Case{"none", "x^2 + y^2 + 1", {-2, 2, -2, 2}, 0, 0, 0, 0, 0},
-        Case{"nested", "(x^2 + y^2 - 1)*(x^2 + y^2 - 2)", {-2, 2, -2, 2}, 2, 2, 0, 0, 0},
-        Case{"close_circles", "(x^2 + y^2 - 1)*(x^2 + y^2 - 1 - 1/1000000)", {-2, 2, -2, 2}, 2, 2, 0, 0, 0},
-        Case{"tiny_oval", "1000000*(x^2 + y^2) - 1", {-2, 2, -2, 2}, 1, 1, 0, 0, 0}),
+    testing::Values(Case{"circle", "x^2 + y^2 - 1", {-2, 2, -2, 2}, 1, 1, 0, 0, 0},
+                    Case{"squared_circle", "(x^2 + y^2 - 1)^2", {-2, 2, -2, 2}, 1, 1, 0, 0, 0},
+                    Case{"touches_from_inside", "x^2 + y^2 - 1", {-1, 1, -1, 1}, 1, 0, 0, 0, 4},
+                    Case{"touches_from_outside", "x^2 + y^2 - 1", {1, 2, -1, 1}, 1, 0, 1, 0, 1},
+                    Case{"touches_a_corner", "x + y", {0, 1, 0, 1}, 1, 0, 1, 0, 1},
+                    Case{"through_corners", "x - y", {0, 1, 0, 1}, 1, 0, 0, 0, 2},
+                    Case{"side_and_half_circle", "x*(x^2 + y^2 - 1)", {0, 2, -2, 2}, 1, 0, 0, 2, 4},
+                    Case{"all_sides", "x*(x - 1)*y*(y - 1)", {0, 1, 0, 1}, 1, 0, 0, 4, 4},
+                    Case{"axis_lines", "(2*x - 1)*(3*y - 1)", {0, 1, 0, 1}, 1, 0, 0, 1, 4},
+                    Case{"three_lines", "x*y*(x + y)", {-1, 1, -1, 1}, 1, 0, 0, 1, 6},
+                    Case{"node", "y^2 - x^2*(x + 1)", {-2, 2, -4, 4}, 1, 0, 0, 1, 2},
+                    Case{"cusp", "y^2 - x^3", {-1, 1, -2, 2}, 1, 0, 0, 1, 2},
+                    Case{"tacnode", "y*(y - x^2)", {-1, 1, -1, 2}, 1, 0, 0, 1, 4},
+                    Case{"contact_of_order_four", "y*(y - x^4)", {-1, 1, -1, 2}, 1, 0, 0, 1, 4},
+                    Case{"acnode", "y^2 + x^2*(1 - x)", {-1, 2, -4, 4}, 2, 1, 1, 1, 2},
+                    Case{"irrational_acnodes", "(x^2 - 2)^2 + (y^2 - 3)^2", {-2, 2, -2, 2}, 4, 4, 4, 4, 0},
+                    Case{"trifolium", "(x^2 + y^2)^2 - x^3 + 3*x*y^2", {-2, 2, -2, 2}, 1, 1, 0, 1, 0},
+                    Case{"quadrifolium", "(x^2 + y^2)^3 - 4*x^2*y^2", {-2, 2, -2, 2}, 1, 1, 0, 1, 0},
+                    Case{"node_on_a_side", "y^2 - x^2*(x + 1)", {0, 2, -4, 4}, 1, 0, 0, 1, 3},
+                    Case{"cusp_in_a_corner", "y^2 - x^3", {0, 1, 0, 2}, 1, 0, 0, 1, 2},
+                    Case{"irrational_triple_points", "(x^2 - 2)*(y^2 - 2)*(x - y)", {-2, 2, -2, 2}, 1, 0, 0, 4, 10},
+                    Case{"none", "x^2 + y^2 + 1", {-2, 2, -2, 2}, 0, 0, 0, 0, 0},
+                    Case{"nested", "(x^2 + y^2 - 1)*(x^2 + y^2 - 2)", {-2, 2, -2, 2}, 2, 2, 0, 0, 0},
+                    Case{"close_circles", "(x^2 + y^2 - 1)*(x^2 + y^2 - 1 - 1/1000)", {-2, 2, -2, 2}, 2, 2, 0, 0, 0},
+                    Case{"tiny_oval", "1000000*(x^2 + y^2) - 1", {-2, 2, -2, 2}, 1, 1, 0, 0, 0}),
     [](const auto& tested) { return tested.param.name; });
 
 TEST(mesh_curve, counts_do_not_depend_on_the_coordinates)
@@ -84,8 +85,8 @@ TEST(mesh_curve, counts_do_not_depend_on_the_coordinates)
     const auto counts = [&](const Polynomial<Rational, 2>& g) {
       const auto mesh = mesh_curve(g, box(-4, 4, -4, 4), {Rational(1, 10)});
       EXPECT_TRUE(mesh.is_certified());
-      return std::array{mesh.components.size(), mesh.closed_components(), mesh.isolated_points(), mesh.singular_points(),
-                        mesh.boundary_points()};
+      return std::array{mesh.components.size(), mesh.closed_components(), mesh.isolated_points(),
+                        mesh.singular_points(), mesh.boundary_points()};
     };
     const auto own = counts(f);
     std::vector<Polynomial<Rational, 2>::Term> swapped;
@@ -135,8 +136,13 @@ TEST(mesh_checks, notice_planted_faults)
   ASSERT_EQ(test::find_stray(good, f, options.tolerance), "");
 
   auto swapped = good; // two branches exchanged
-  const std::size_t far = swapped.edges.size() / 2;
-  std::swap(swapped.edges[0][1], swapped.edges[far][1]);
+  const auto start = [&](const auto& edge) -> const Curve_vertex& { return good.vertices[edge[0]]; };
+  const auto far = std::find_if(swapped.edges.begin(), swapped.edges.end(), [&](const auto& edge) {
+    return start(edge).component != start(good.edges[0]).component
+           && start(edge).point[0] * start(good.edges[0]).point[0] < -1;
+  });
+  ASSERT_NE(far, swapped.edges.end());
+  std::swap(swapped.edges[0][1], (*far)[1]);
   EXPECT_TRUE(!test::find_crossing(swapped).empty() || !test::find_stray(swapped, f, options.tolerance).empty());
 
   auto moved = good; // a vertex off the curve

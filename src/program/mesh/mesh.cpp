@@ -2,6 +2,7 @@
 #include "../Progress.h"
 #include "../arguments.h"
 #include "../commands.h"
+#include "../files.h"
 #include "../whole_number.h"
 
 #include <corral/geometry/mesh_curve.h>
@@ -40,8 +41,9 @@ Rational tolerance_for(const Mesh_arguments& arguments, const Rational_box<2>& b
   return tolerance;
 }
 
-std::vector<Named_mesh> compute(const std::vector<std::string>& texts, const std::vector<Polynomial<Rational, 2>>& curves,
-                                const Rational_box<2>& box, const Mesh_options& options)
+std::vector<Named_mesh> compute(const std::vector<std::string>& texts,
+                                const std::vector<Polynomial<Rational, 2>>& curves, const Rational_box<2>& box,
+                                const Mesh_options& options)
 {
   std::vector<Named_mesh> meshes;
   for (std::size_t k = 0; k < curves.size(); ++k) meshes.push_back({texts[k], mesh_curve(curves[k], box, options)});
@@ -50,12 +52,15 @@ std::vector<Named_mesh> compute(const std::vector<std::string>& texts, const std
 
 void mesh_command(const Mesh_arguments& arguments)
 {
-  for (const auto& path : arguments.outputs) static_cast<void>(mesh_writer_for(path)); // fail before the work, not after
+  require_outputs_are_no_inputs(arguments.outputs, arguments.polynomials);
+  for (const auto& path : arguments.outputs)
+    static_cast<void>(mesh_writer_for(path)); // fail before the work, not after
   std::vector<std::string> texts;
   for (const auto& argument : arguments.polynomials) texts.push_back(polynomial_text(argument));
   const Space space = read_space(arguments.box, arguments.variables, texts);
   if (space.sides.size() != 2)
-    throw Invalid_input("mesh: given " + detail::quantity(space.sides.size(), "axis") + "; expected a curve in the plane, so 2");
+    throw Invalid_input("mesh: given " + detail::quantity(space.sides.size(), "axis")
+                        + "; expected a curve in the plane, so 2");
   const auto curves = polynomials_of<2>(space, texts);
   const auto box = box_of<2>(space);
 
@@ -80,11 +85,14 @@ void mesh_command(const Mesh_arguments& arguments)
   output.size = arguments.size;
   output.facts = {{"tolerance", to_string(options.tolerance)}, {"seconds", seconds[seconds.size() / 2]}};
   if (seconds.size() > 1)
-    output.facts.insert(output.facts.end(), {{"repeat", std::uint64_t{seconds.size()}}, {"seconds_min", seconds.front()}});
-  for (const auto& path : arguments.outputs) {
-    const auto writer = mesh_writer_for(path);
-    write_whole_file(path, [&](std::ostream& out) { writer.write(out, meshes, output); });
-  }
+    output.facts.insert(output.facts.end(),
+                        {{"repeat", std::uint64_t{seconds.size()}}, {"seconds_min", seconds.front()}});
+  std::vector<File_to_write> files;
+  for (const auto& path : arguments.outputs)
+    files.push_back(
+        {path, [&, write = mesh_writer_for(path).write](std::ostream& out) { write(out, meshes, output); }});
+  write_whole_files(files);
+  if (!files.empty()) files_are_written();
   if (arguments.format == "json")
     write_meshes_json(std::cout, meshes, output);
   else
@@ -113,7 +121,8 @@ void add_mesh(CLI::App& app)
   command->add_option("--max-cells", arguments->max_cells, "cells to look at; what is unclear then is said to be")
       ->check(whole_number(1))
       ->capture_default_str();
-  command->add_option("--repeat", arguments->repeat, "run the computation so many times; the summary says the median time")
+  command
+      ->add_option("--repeat", arguments->repeat, "run the computation so many times; the summary says the median time")
       ->check(whole_number(1))
       ->capture_default_str();
   command

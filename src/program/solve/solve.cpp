@@ -161,8 +161,7 @@ Printed_zeros solved(const Solve_arguments& arguments, const Space& space, const
       result.common_curve = to_string(found.common_curve, std::array{space.variables[0], space.variables[1]});
   } else
     throw Invalid_input("solve: given " + detail::quantity(texts.size(), "polynomial") + " in "
-                        + detail::quantity(space.sides.size(), "variable")
-                        + "; expected as many as variables, 1 or 2");
+                        + detail::quantity(space.sides.size(), "variable") + "; expected as many as variables, 1 or 2");
   return result;
 }
 
