@@ -28,6 +28,14 @@ struct Cell
 
 struct Direction;
 
+/// The derivatives of a polynomial along both axes and along the direction that tells all singular points apart, up to
+/// positive factors.
+struct Slopes
+{
+  std::array<Polynomial<Integer, 2>, 2> along_axis;
+  Polynomial<Integer, 2> along_direction;
+};
+
 /// The zeros on the four sides of a cell, as vertices of the graph.
 struct Border
 {
@@ -85,8 +93,10 @@ private:
   [[nodiscard]] Shape resolve_singular(const Cell& cell, Outline& outline);
   [[nodiscard]] Shape resolve_star(const Cell& cell, std::size_t point, Outline& outline);
   [[nodiscard]] Shape resolve_stack(const Cell& cell, Outline& outline);
-  [[nodiscard]] bool finish_star(const Cell& cell, std::size_t point, const Direction& direction, Outline& outline);
+  [[nodiscard]] bool finish_star(const Cell& cell, std::size_t point, const Direction& direction, const Slopes* slopes,
+                                 Outline& outline);
   [[nodiscard]] Direction critical_direction(const Cell& cell) const;
+  [[nodiscard]] const Slopes& slopes();
   [[nodiscard]] bool connect_graph(const Border& border, std::size_t axis);
   [[nodiscard]] Border border(const Cell& cell, double precision);
   [[nodiscard]] bool is_flat(const Cell& cell, std::size_t axis) const;
@@ -96,6 +106,7 @@ private:
   Singular_points& singular_;
   Curve_settings settings_;
   std::array<double, 2> first_cuts_{};
+  std::optional<Slopes> slopes_;
   Plane_graph graph_;
   Outline outline_;
   std::vector<Doubt> doubts_;

@@ -2,6 +2,8 @@
 #include "Curve_cells.h"
 
 #include <corral/number/Outward_interval.h>
+#include <corral/polynomial/arithmetic.h>
+#include <corral/polynomial/integer_form.h>
 
 #include <algorithm>
 #include <cmath>
@@ -70,8 +72,10 @@ struct Hessian
 class Entrance
 {
 public:
-  Entrance(const Cell& cell, const Plane_graph& graph, const Direction& direction, const std::array<Interval, 2>& point)
-      : cell_(cell), graph_(graph), direction_(direction), form_at_point_(direction.form(point))
+  /// \param slopes  where doubles do not show a sign; may be null.
+  Entrance(const Cell& cell, const Plane_graph& graph, const Direction& direction, const Slopes* slopes,
+           const std::array<Interval, 2>& point)
+      : cell_(cell), graph_(graph), direction_(direction), slopes_(slopes), form_at_point_(direction.form(point))
   {}
 
   [[nodiscard]] bool leads_to_point(std::size_t vertex, std::size_t normal, bool upper) const
@@ -83,9 +87,14 @@ public:
   {
     const auto gradient = gradient_at(position(vertex)[1 - normal], normal, upper);
     // Along (f_y, -f_x) the form grows by f_v; the inner normal tells which way leads inside.
-    const int growth = strict_sign(direction_.v[0] * gradient[0] + direction_.v[1] * gradient[1]);
-    const int inward = normal == 0 ? strict_sign(gradient[1]) : -strict_sign(gradient[0]);
-    return upper ? -inward * growth : inward * growth;
+    int growth = strict_sign(direction_.v[0] * gradient[0] + direction_.v[1] * gradient[1]);
+    int along = strict_sign(gradient[1 - normal]);
+    if (growth * along == 0 && slopes_ != nullptr) {
+      const auto& box = graph_.node(vertex).box;
+      growth = sign_on_side(slopes_->along_direction, normal, box[normal].low, box[1 - normal]);
+      along = sign_on_side(slopes_->along_axis[1 - normal], normal, box[normal].low, box[1 - normal]);
+    }
+    return growth * along * ((normal == 0) == upper ? -1 : 1);
   }
   [[nodiscard]] Interval form_at(std::size_t vertex) const { return direction_.form(position(vertex)); }
 
@@ -117,6 +126,7 @@ private:
   const Cell& cell_;
   const Plane_graph& graph_;
   const Direction& direction_;
+  const Slopes* slopes_;
   Interval form_at_point_;
 };
 
@@ -258,7 +268,7 @@ Curve_cells::Shape Curve_cells::resolve_star(const Cell& cell, std::size_t point
     const Direction direction{{Interval(v[0]), Interval(v[1])}};
     if (!hessian.is_regular(direction)) continue;
     if (!is_small(cell)) return Shape::coarse;
-    if (finish_star(cell, point, direction, outline)) return Shape::done;
+    if (finish_star(cell, point, direction, nullptr, outline)) return Shape::done;
   }
   if (!is_small(cell) || std::max(cell.length(0), cell.length(1)) > strip_length) return Shape::unclear;
   singular_.complete();
@@ -267,11 +277,12 @@ Curve_cells::Shape Curve_cells::resolve_star(const Cell& cell, std::size_t point
   if (!is_double && contains_zero(derivative_along(cell.form, direction, singular_.order_along(point))))
     return Shape::unclear;
   if (!singular_.is_regular(cell.box, point)) return Shape::unclear;
-  return finish_star(cell, point, direction, outline) ? Shape::done : Shape::unclear;
+  return finish_star(cell, point, direction, &slopes(), outline) ? Shape::done : Shape::unclear;
 }
 
 /// Joins the border with the point, in whose cell nothing else is critical in the direction.
-bool Curve_cells::finish_star(const Cell& cell, std::size_t point, const Direction& direction, Outline& outline)
+bool Curve_cells::finish_star(const Cell& cell, std::size_t point, const Direction& direction, const Slopes* slopes,
+                              Outline& outline)
 {
   const std::size_t nodes = graph_.size();
   const std::size_t edges = graph_.edges().size();
@@ -282,7 +293,7 @@ bool Curve_cells::finish_star(const Cell& cell, std::size_t point, const Directi
     const auto centre = vertex_at(graph_, found, cell, box);
     outline = found.outline();
     if (centre && !has_other_corner(graph_, found, *centre)
-        && connect_star(graph_, outline, *centre, Entrance(cell, graph_, direction, at))) {
+        && connect_star(graph_, outline, *centre, Entrance(cell, graph_, direction, slopes, at))) {
       graph_.node(*centre).box = box;
       graph_.node(*centre).singular = static_cast<int>(point);
       return true;
@@ -300,6 +311,17 @@ Direction Curve_cells::critical_direction(const Cell& cell) const
   return {{enclose<Interval>(-singular_.shear() * ratio), Interval(1)}};
 }
 
+const Slopes& Curve_cells::slopes()
+{
+  if (slopes_) return *slopes_;
+  const auto along = [&](std::size_t axis) {
+    return transform<Rational>(derivative(f_, axis), [](const Integer& c) { return Rational(c); });
+  };
+  const Rational slant = -singular_.shear() * settings_.aspect;
+  slopes_ = {{derivative(f_, 0), derivative(f_, 1)}, integer_primitive(slant * along(0) + along(1))};
+  return *slopes_;
+}
+
 /// A cell in which nothing is critical: disjoint arcs along which the direction's form grows.
 Curve_cells::Shape Curve_cells::resolve_stack(const Cell& cell, Outline& outline)
 {
@@ -310,7 +332,8 @@ Curve_cells::Shape Curve_cells::resolve_stack(const Cell& cell, Outline& outline
   for (const double precision : fine) {
     const Border found = border(cell, precision);
     if (!has_other_corner(graph_, found, graph_.size())
-        && connect_stack(graph_, found, direction, Entrance(cell, graph_, direction, {Interval(0), Interval(0)}))) {
+        && connect_stack(graph_, found, direction,
+                         Entrance(cell, graph_, direction, &slopes(), {Interval(0), Interval(0)}))) {
       outline = found.outline();
       return Shape::done;
     }

@@ -232,6 +232,13 @@ Range range_on_part(std::vector<double> coefficients, double error, const Range&
   return {*least - error, *greatest + error};
 }
 
+int sign_on_side(const Polynomial<Integer, 2>& f, std::size_t normal, double at, const Range& part)
+{
+  const auto line = exact::restriction(f, normal, Rational(at));
+  const auto p = integer_polynomial(transform<Rational>(line, [](const Integer& c) { return Rational(c); }));
+  return strict_sign(evaluate(p, Rational_interval(Rational(part.low), Rational(part.high))));
+}
+
 int sign_at(const Polynomial<Integer, 2>& f, double x, double y)
 {
   const auto line = exact::restriction(f, 0, Rational(x));

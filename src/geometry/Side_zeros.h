@@ -45,6 +45,9 @@ struct Side_zeros
 /// The exact sign of f at a point of the unit box.
 [[nodiscard]] int sign_at(const Polynomial<Integer, 2>& f, double x, double y);
 
+/// The strict sign of f on a part of a side, by exact intervals; 0 if it does not show.
+[[nodiscard]] int sign_on_side(const Polynomial<Integer, 2>& f, std::size_t normal, double at, const Range& part);
+
 /// A line of our own meets what it must not meet; another choice will do.
 struct Not_generic
 {
