@@ -72,9 +72,8 @@ Json graph(const Curve_mesh& mesh)
                         {"box", sides(vertex.box)}});
   Json components = Json::array();
   for (const auto& component : mesh.components) {
-    Json entry{{"closed", component.is_closed}, {"vertices", component.vertices}, {"edges", component.edges}};
-    entry["parent"] = component.parent ? Json(*component.parent) : Json();
-    components.push_back(std::move(entry));
+    components.push_back(
+        {{"closed", component.is_closed}, {"vertices", component.vertices}, {"edges", component.edges}});
   }
   return {{"vertices", std::move(vertices)}, {"edges", mesh.edges}, {"components", std::move(components)}};
 }

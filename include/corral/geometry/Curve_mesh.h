@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,7 +29,6 @@ struct Curve_component
   std::size_t vertices = 0;
   std::size_t edges = 0;
   bool is_closed = true;               ///< does not meet the boundary of the box
-  std::optional<std::size_t> parent{}; ///< the innermost closed component that encloses it
   [[nodiscard]] bool is_point() const { return edges == 0; }
 };
 
