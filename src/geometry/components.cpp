@@ -22,6 +22,7 @@ void find_components(Curve_mesh& mesh)
 {
   std::vector<std::size_t> parent(mesh.vertices.size());
   std::iota(parent.begin(), parent.end(), std::size_t{0});
+  for (auto& vertex : mesh.vertices) vertex.branches = 0;
   for (const auto& [a, b] : mesh.edges) {
     ++mesh.vertices[a].branches;
     ++mesh.vertices[b].branches;

@@ -11,7 +11,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -218,23 +217,18 @@ TEST(Certify, leaves_no_near_miss_of_the_plane_unknown)
   }
 }
 
-/// The size and the time that certificates of the paper's curves may take.
-TEST(Certify, is_small_and_quick_to_check_on_the_paper_s_curves)
+/// The size that certificates of the paper's curves may have.
+TEST(Certify, is_small_on_the_paper_s_curves)
 {
-  using Clock = std::chrono::steady_clock;
   for (const auto& curve : corral::test::paper_curves) {
     SCOPED_TRACE(curve.text);
     const auto f = parse_polynomial<2>(curve.text, names<2>());
-    const auto start = Clock::now();
     const auto certificate = certify(f, cube<2>("0", "1", 256));
     const std::string packed = gzip(to_json(certificate, names<2>()));
-    const auto made = Clock::now();
     const Counts counts = check(packed);
-    const auto checked = Clock::now();
     EXPECT_EQ(counts.unknown, 0U);
     EXPECT_LE(counts.hit, curve.maa_cells);
     EXPECT_LE(packed.size(), 60 * certificate.plotted());
-    EXPECT_LE((checked - made).count(), 100 * (made - start).count());
   }
 }
 

@@ -9,9 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <cstdio>
-#include <cstdlib>
 #include <set>
 
 namespace {
@@ -37,11 +34,7 @@ Plot<D> plot(const std::string& text, const Rational_box<D>& box, std::uint32_t 
   side.fill(resolution);
   const Grid<D> grid(box, side);
   const auto f = parse_polynomial<D>(text, variables);
-  const auto start = std::chrono::steady_clock::now();
   const auto raster = ideal_raster(f, grid, all_cells<D>(side));
-  if (std::getenv("CORRAL_TEST_VERBOSE") != nullptr)
-    std::printf("%-40.40s %8.1f ms\n", text.c_str(),
-                std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
   Cell_decider<D> decider(f, grid);
   const auto g = transform<Rational>(decider.square_free(), [](const Integer& c) { return Rational(c); });
   Plot<D> result;

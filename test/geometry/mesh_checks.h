@@ -70,6 +70,17 @@ inline std::string find_crossing(const Curve_mesh& mesh)
   return "";
 }
 
+/// A vertex inside the box that is not singular and from which not two edges run; "" if there is none.
+inline std::string find_loose_end(const Curve_mesh& mesh)
+{
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    const auto& vertex = mesh.vertices[v];
+    if (!vertex.is_singular && !vertex.is_on_boundary && vertex.branches != 2)
+      return "vertex " + std::to_string(v) + " has " + std::to_string(vertex.branches) + " branches";
+  }
+  return "";
+}
+
 /// Whether f has a zero in a closed box, which may be flat. Exact.
 inline bool holds_zero(const Polynomial<Rational, 2>& f, const Rational_box<2>& box)
 {

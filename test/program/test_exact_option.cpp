@@ -165,11 +165,10 @@ TEST(Exact_option, keeps_what_is_proved_on_an_interrupt)
     Program_limits limits;
     limits.folder = folder.path();
     limits.interrupt_after = std::chrono::milliseconds(1500);
-    const auto start = std::chrono::steady_clock::now();
+    limits.seconds = 30;
     const Program_run run = run_program({"localize", long_work, "--box", "-2:2,-2:2", "--resolution", "64", "--exact",
                                          "--threads", threads, "--format", "json", "--output", "a.csv"},
                                         limits);
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
     EXPECT_EQ(run.exit_code, 130) << run.err;
     if (run.out.empty()) { // the interrupt came before the exact decision, on a very busy machine
       EXPECT_NE(run.err, "");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "../arguments.h"
 #include "audit_over-inl.h"
 
 #include <concepts>

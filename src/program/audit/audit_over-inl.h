@@ -2,7 +2,7 @@
 #ifndef CORRAL_SRC_PROGRAM_AUDIT_AUDIT_OVER_INL_H
 #define CORRAL_SRC_PROGRAM_AUDIT_AUDIT_OVER_INL_H
 
-#include "../bound/bound_over.h"
+#include "../bound/make_bounder.h"
 #include "../reproduce/examples.h"
 #include "Method_audit.h"
 

@@ -3,8 +3,8 @@
 #define CORRAL_SRC_PROGRAM_BOUND_BOUND_OVER_INL_H
 
 #include "bound_over.h"
+#include "make_bounder.h"
 
-#include <corral/audit/audit_bounder.h>
 #include <corral/number/format.h>
 #include <corral/polynomial/Box.h>
 #include <corral/polynomial/evaluate.h>
@@ -13,19 +13,9 @@
 #include <utility>
 
 /// Compiles all of it for one number type.
-#define CORRAL_INSTANTIATE_BOUNDERS(I)                                                                                 \
-  template Bound_answer bound_over<I>(const Bound_problem&);                                                           \
-  template Any_bounder<I, 1> make_bounder(const Method&, const Polynomial<I, 1>&);                                     \
-  template Any_bounder<I, 2> make_bounder(const Method&, const Polynomial<I, 2>&);                                     \
-  template Any_bounder<I, 3> make_bounder(const Method&, const Polynomial<I, 3>&);
+#define CORRAL_INSTANTIATE_BOUND_OVER(I) template Bound_answer bound_over<I>(const Bound_problem&);
 
 namespace corral::program {
-
-template <IntervalNumber I, std::size_t D>
-Any_bounder<I, D> make_bounder(const Method& method, const Polynomial<I, D>& f)
-{
-  return Any_bounder<I, D>(method.bounder, f, Bounder_options{.order = method.order});
-}
 
 template <IntervalNumber I, std::size_t D>
 void bound_in(const Bound_problem& problem, Bound_answer& answer)

@@ -5,7 +5,6 @@
 #include "../arguments.h"
 #include "../localize/engine.h"
 
-#include <corral/bounders/Any_bounder.h>
 #include <corral/number/Counted.h>
 #include <corral/number/Interval_number.h>
 
@@ -40,10 +39,6 @@ struct Bound_answer
   Operation_counts counts; ///< of the one bound, where the number type counts
   std::optional<Value_answer> at_point;
 };
-
-/// A bounder by its name. Compiled with `bound_over`. \throw Invalid_input for an unknown one.
-template <IntervalNumber I, std::size_t D>
-[[nodiscard]] Any_bounder<I, D> make_bounder(const Method& method, const Polynomial<I, D>& f);
 
 /// \brief Bounds over one number type. Each type is compiled in a source of its own, which the build makes.
 /// \throw Invalid_input for an unknown bounder; what the parser and the bounder throw.

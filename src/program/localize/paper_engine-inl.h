@@ -2,9 +2,9 @@
 #ifndef CORRAL_SRC_PROGRAM_LOCALIZE_PAPER_ENGINE_INL_H
 #define CORRAL_SRC_PROGRAM_LOCALIZE_PAPER_ENGINE_INL_H
 
+#include "../bound/make_bounder.h"
 #include "paper_engine.h"
 
-#include <corral/bounders/Any_bounder.h>
 #include <corral/localization/localize.h>
 #include <corral/number/Counted.h>
 
@@ -18,9 +18,8 @@ Localization<D> localize_counted_or_not(const std::vector<Polynomial<Rational, D
                                      .refine_depth = settings.refine ? 1U : 0U,
                                      .cell_budget = settings.max_cells,
                                      .progress = settings.progress};
-  return localize<I, D>(system, grid, options, [&](const Polynomial<I, D>& f) {
-    return Any_bounder<I, D>(settings.method.bounder, f, {.order = settings.method.order});
-  });
+  return localize<I, D>(system, grid, options,
+                        [&](const Polynomial<I, D>& f) { return make_bounder<I, D>(settings.method, f); });
 }
 
 template <IntervalNumber I, std::size_t D>
