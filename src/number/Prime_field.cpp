@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Prime_field.h"
 
+#include <corral/number/Wrong_answer.h>
+
+#include <flint/ulong_extras.h>
+
 #include <array>
 
 namespace corral::exact {
@@ -18,12 +22,8 @@ Prime_field::Prime_field(std::uint64_t prime) : prime_(prime)
 
 Element Prime_field::inverse(Element a) const
 {
-  Element power = a;
-  Element result = one_;
-  for (std::uint64_t exponent = prime_ - 2; exponent != 0; exponent >>= 1) {
-    if ((exponent & 1) != 0) result = multiply(result, power);
-    power = multiply(power, power);
-  }
+  const Element result = from_residue(n_invmod(residue(a), prime_));
+  if (multiply(a, result) != one_) throw Wrong_answer("number: the inverse modulo a prime is none");
   return result;
 }
 

@@ -33,7 +33,7 @@ public:
   }
   [[nodiscard]] Element subtract(Element a, Element b) const { return a >= b ? a - b : a + prime_ - b; }
   [[nodiscard]] Element multiply(Element a, Element b) const { return reduce(Wide{a} * b); }
-  [[nodiscard]] Element inverse(Element a) const; ///< \pre a != 0
+  [[nodiscard]] Element inverse(Element a) const; ///< \pre a != 0; FLINT finds it, a product verifies it
 
   [[nodiscard]] Element from_residue(std::uint64_t a) const { return multiply(a % prime_, square_); }
   [[nodiscard]] Element from(const Integer& a) const { return from_residue(mpz_fdiv_ui(a.get_mpz_t(), prime_)); }

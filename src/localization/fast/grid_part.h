@@ -57,7 +57,7 @@ template <std::size_t D>
 template <std::size_t D>
 [[nodiscard]] int levels_of(const Grid_part<D>& part)
 {
-  return std::bit_width(*std::max_element(part.size.begin(), part.size.end()) - 1);
+  return static_cast<int>(std::bit_width(*std::max_element(part.size.begin(), part.size.end()) - 1));
 }
 
 /// Adds the cells of the part with this corner to blocks of the whole grid. \pre The corner is one of a block.
