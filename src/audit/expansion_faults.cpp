@@ -1,32 +1,24 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "fault_harness.h"
+#include "Stepwise_bounder.h"
 
 #include <corral/number/Double_bracket.h>
 #include <corral/polynomial/evaluate.h>
-#include <corral/polynomial/substitution.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <optional>
 #include <string_view>
 #include <utility>
 
 namespace corral::audit {
 namespace {
 
-using Point = std::array<Rational, 2>;
-using Exact = Rational_interval;
-
 Rational nearest_double(const Rational& x)
 {
   const double nearest = bracket(x).nearest;
   return std::isfinite(nearest) ? Rational(nearest) : x;
 }
-
-unsigned total(const Exponents<2>& k) { return k[0] + 0U + k[1]; }
-bool all_even(const Exponents<2>& k) { return k[0] % 2 == 0 && k[1] % 2 == 0; }
 
 template <class Keep>
 Exact_polynomial terms_where(const Exact_polynomial& f, const Keep& keep)
@@ -36,67 +28,6 @@ Exact_polynomial terms_where(const Exact_polynomial& f, const Keep& keep)
                [&](const auto& term) { return keep(term.exponents); });
   return Exact_polynomial(std::move(terms));
 }
-
-/// \brief The modified affine bound in steps: f about the centre of the box, then the range of each term by itself. A
-/// fault derives from this and replaces a step. The control: nothing may be caught.
-struct Sound_steps
-{
-  static constexpr std::string_view name = "no_fault_maa";
-  static constexpr std::string_view description = "modified affine arithmetic as it is";
-
-  static Exact_polynomial coefficients(const Exact_polynomial& f) { return f; }
-  static Rational centre(const Exact& side) { return (side.lower() + side.upper()) / 2; }
-  static Rational radius(const Exact& side, const Rational& centre)
-  {
-    return std::max(Rational(side.upper() - centre), Rational(centre - side.lower()));
-  }
-  static Exact_polynomial expansion(const Exact_polynomial& f, const Point& centre) { return taylor_shift(f, centre); }
-  /// The range of u^k, k not zero, for u in [-1, 1]^2.
-  static Exact range(const Exponents<2>& k) { return all_even(k) ? Exact(0, 1) : Exact(-1, 1); }
-  static Exact result(const Exact& bound) { return bound; }
-};
-
-template <class Steps>
-Exact bound_by_steps(const Exact_polynomial& f, const Point& centre, const Point& radius)
-{
-  Exact sum(0);
-  const auto expansion = Steps::expansion(f, centre);
-  for (const auto& [k, c] : expansion.terms()) {
-    if (total(k) == 0) {
-      sum += Exact(c);
-      continue;
-    }
-    Rational size = c;
-    for (std::size_t axis = 0; axis < 2; ++axis)
-      for (unsigned e = 0; e < k[axis]; ++e) size *= radius[axis];
-    sum += Steps::range(k) * Exact(size);
-  }
-  return Steps::result(sum);
-}
-
-template <class Steps>
-class Stepwise_bounder
-{
-public:
-  static constexpr std::string_view name = Steps::name;
-  static constexpr std::string_view description = Steps::description;
-
-  explicit Stepwise_bounder(const Exact_polynomial& f) : f_(Steps::coefficients(f)) {}
-
-  [[nodiscard]] Exact bound(const Exact_box& box) const
-  {
-    Point centre;
-    Point radius;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      centre[axis] = Steps::centre(box[axis]);
-      radius[axis] = Steps::radius(box[axis], centre[axis]);
-    }
-    return bound_by_steps<Steps>(f_, centre, radius);
-  }
-
-private:
-  Exact_polynomial f_;
-};
 
 struct Odd_as_even : Sound_steps
 {
@@ -275,56 +206,6 @@ struct Shrinks : Sound_steps
   }
 };
 
-/// What it remembers is taken for the same box if one side is the same.
-class Stale_cache : public Stepwise_bounder<Sound_steps>
-{
-public:
-  static constexpr std::string_view name = "stale_cache";
-  static constexpr std::string_view description = "the last bound is given again if the first side is the same";
-
-  using Stepwise_bounder::Stepwise_bounder;
-  [[nodiscard]] Exact bound(const Exact_box& box)
-  {
-    const bool is_known = is_filled_ && side_.lower() == box[0].lower() && side_.upper() == box[0].upper();
-    if (!is_known) last_ = Stepwise_bounder::bound(box);
-    is_filled_ = true;
-    side_ = box[0];
-    return last_;
-  }
-
-private:
-  bool is_filled_ = false;
-  Exact side_;
-  Exact last_;
-};
-
-/// \brief As two threads may meet that keep the midpoint of their boxes in one place: the caller finds there what the
-/// other has left.
-class Shared_midpoint
-{
-public:
-  static constexpr std::string_view name = "shared_midpoint";
-  static constexpr std::string_view description =
-      "the midpoint is kept in one place for all callers, and one overtakes";
-
-  explicit Shared_midpoint(const Exact_polynomial& f) : f_(f) {}
-  [[nodiscard]] Exact bound(const Exact_box& box)
-  {
-    Point own;
-    Point radius;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      own[axis] = Sound_steps::centre(box[axis]);
-      radius[axis] = Sound_steps::radius(box[axis], own[axis]);
-    }
-    if (!shared_) shared_ = own;
-    return bound_by_steps<Sound_steps>(f_, *std::exchange(shared_, own), radius);
-  }
-
-private:
-  Exact_polynomial f_;
-  std::optional<Point> shared_;
-};
-
 template <class... Steps>
 std::vector<Planted_bounder> stepwise()
 {
@@ -335,13 +216,10 @@ std::vector<Planted_bounder> stepwise()
 
 std::vector<Planted_bounder> expansion_faults()
 {
-  auto faults = stepwise<Odd_as_even, Parity_of_the_sum, Even_halved, Missing_half, Missing_factorial,
-                         Factorial_of_the_sum, Mixed_dropped, Highest_dropped, Remainder_of_order_3_lost,
-                         Expansion_to_doubles, Constant_dropped, Last_term_forgotten, Long_coefficients_rounded,
-                         Midpoint_rounded, Radius_rounded_down, One_unit_short, Shrinks>();
-  faults.push_back(planted<Stale_cache>());
-  faults.push_back(planted<Shared_midpoint>());
-  return faults;
+  return stepwise<Odd_as_even, Parity_of_the_sum, Even_halved, Missing_half, Missing_factorial, Factorial_of_the_sum,
+                  Mixed_dropped, Highest_dropped, Remainder_of_order_3_lost, Expansion_to_doubles, Constant_dropped,
+                  Last_term_forgotten, Long_coefficients_rounded, Midpoint_rounded, Radius_rounded_down, One_unit_short,
+                  Shrinks>();
 }
 
 std::vector<Planted_bounder> sound_expansions() { return stepwise<Sound_steps>(); }

@@ -57,6 +57,9 @@ template <class Bounder>
 [[nodiscard]] std::vector<Fault_finding> seed_no_number_fault(const Audit_options& options);
 [[nodiscard]] std::vector<Planted_bounder> expansion_faults();
 [[nodiscard]] std::vector<Planted_bounder> sound_expansions();
+[[nodiscard]] std::vector<Planted_bounder> memory_faults();
+[[nodiscard]] std::vector<Planted_bounder> bernstein_faults();
+[[nodiscard]] std::vector<Planted_bounder> sound_bernstein_forms();
 [[nodiscard]] std::vector<Planted_bounder> method_faults();
 [[nodiscard]] std::vector<Planted_bounder> sound_methods();
 [[nodiscard]] std::vector<Planted_bounder> taylor_form_faults();

@@ -21,14 +21,15 @@ std::vector<Fault_finding> look_for_all(std::vector<Fault_finding> findings,
 
 std::vector<Fault_finding> seed_faults(const Audit_options& options)
 {
-  return look_for_all(seed_number_faults(options), {expansion_faults(), method_faults(), taylor_form_faults()},
+  return look_for_all(seed_number_faults(options),
+                      {expansion_faults(), memory_faults(), bernstein_faults(), method_faults(), taylor_form_faults()},
                       options);
 }
 
 std::vector<Fault_finding> seed_no_faults(const Audit_options& options)
 {
-  return look_for_all(seed_no_number_fault(options), {sound_expansions(), sound_methods(), sound_taylor_forms()},
-                      options);
+  return look_for_all(seed_no_number_fault(options),
+                      {sound_expansions(), sound_bernstein_forms(), sound_methods(), sound_taylor_forms()}, options);
 }
 
 } // namespace corral::audit
