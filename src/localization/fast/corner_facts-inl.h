@@ -59,6 +59,7 @@ static_assert(std::endian::native == std::endian::little);
 template <std::size_t D>
 struct Cell_facts
 {
+  Cell_facts() {} // as of `Octet`
   static constexpr std::size_t layer_size = Corner_layout<D>::layer_bytes / byte_lanes;
   static constexpr std::size_t size = Corner_layout<D>::layers * layer_size;
   Byte_vector part[size];

@@ -28,6 +28,7 @@ inline constexpr std::size_t parts = batch / part_lanes;
 /// Eight doubles in as many registers as it takes.
 struct Octet
 {
+  Octet() {} // a generated one would not be compiled for the instruction set, and vectors of Arm have constructors
   hn::Vec<Tag> part[parts];
 };
 
