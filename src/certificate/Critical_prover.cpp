@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 namespace corral::certificate {
 namespace {
@@ -54,8 +53,10 @@ Proof_size text_size(const Polynomial<Integer, D>& f, const Polynomial<Integer, 
 
 template <std::size_t D>
 Critical_prover<D>::Critical_prover(std::vector<Polynomial<Integer, D>> given, Checkpoint checkpoint)
-    : polynomials_(std::move(given)), given_(polynomials_.size()), checkpoint_(std::move(checkpoint))
-{}
+    : checkpoint_(std::move(checkpoint))
+{
+  for (auto& f : given) polynomials_.push_back(std::make_shared<const Polynomial<Integer, D>>(std::move(f)));
+}
 
 template <std::size_t D>
 std::optional<Proof_part> Critical_prover<D>::prove(Face<D> face, std::size_t boxes)
@@ -118,12 +119,13 @@ std::optional<Proof_part> Critical_prover<D>::prove_split(Face<D> face, Search& 
 }
 
 template <std::size_t D>
-std::optional<Proof_part> Critical_prover<D>::prove_factors(const Face<D>& face, const Factors& factors, Search& search)
+std::optional<Proof_part> Critical_prover<D>::prove_factors(const Face<D>& face, const Critical_entry<D>& entry,
+                                                            Search& search)
 {
   Proof_part result;
-  for (const auto& [number, exponent] : factors) {
+  for (const auto& [number, exponent, polynomial] : entry.factors) {
     double work = 0;
-    Face<D> factor{counted_form(polynomials_[number], face.box, work), face.box, number, face.held, face.depth + 1};
+    Face<D> factor{counted_form(*polynomial, face.box, work), face.box, number, face.held, face.depth + 1};
     factor.held += factor.form.held();
     search.effort -= work;
     if (factor.held > max_branch_words) return std::nullopt;
@@ -157,7 +159,8 @@ std::optional<Proof_part> Critical_prover<D>::prove_critical(const Face<D>& face
 {
   const auto index = entry_for(face.polynomial, axis);
   if (!index) return std::nullopt;
-  const auto factors = prove_factors(face, Factors(entries_[*index].factors), search);
+  const auto entry = entries_[*index]; // it outlives the vector's growth
+  const auto factors = prove_factors(face, *entry, search);
   if (!factors) return std::nullopt;
   const auto lower = prove_facet(face, axis, false, search);
   const auto upper = lower ? prove_facet(face, axis, true, search) : std::nullopt;
@@ -195,7 +198,7 @@ std::optional<std::size_t> Critical_prover<D>::entry_for(std::size_t polynomial,
 template <std::size_t D>
 std::optional<std::size_t> Critical_prover<D>::make_entry(std::size_t polynomial, std::size_t axis)
 {
-  const auto f = polynomials_[polynomial];
+  const auto& f = *polynomials_[polynomial];
   const auto slope = derivative(f, axis);
   std::optional<exact::Cofactors<D>> found;
   std::vector<std::pair<Polynomial<Integer, D>, unsigned>> factors;
@@ -206,7 +209,7 @@ std::optional<std::size_t> Critical_prover<D>::make_entry(std::size_t polynomial
     return std::nullopt;
   }
   if (!found || found->b.is_zero() || !fits(found->a) || !fits(found->b)) return std::nullopt;
-  Entry entry{polynomial, axis, found->a, found->b, {}, {}, false};
+  Critical_entry<D> entry{polynomial, axis, found->a, found->b, {}, {}};
   entry.size = text_size(entry.a, entry.b);
   entry.size.work = product_work(entry.a, f) + product_work(entry.b, slope);
   for (auto& [factor, exponent] : factors) {
@@ -215,15 +218,16 @@ std::optional<std::size_t> Critical_prover<D>::make_entry(std::size_t polynomial
     entry.size.bytes += size.bytes;
     entry.size.values += size.values;
     entry.size.work += exponent * product_work(factor, found->combination);
-    entry.factors.emplace_back(polynomials_.size(), exponent);
-    polynomials_.push_back(std::move(factor));
+    entry.factors.push_back({polynomials_.size() + entry.factors.size(), exponent,
+                             std::make_shared<const Polynomial<Integer, D>>(std::move(factor))});
   }
-  entries_.push_back(std::move(entry));
+  for (const auto& factor : entry.factors) polynomials_.push_back(factor.polynomial);
+  entries_.push_back(std::make_shared<const Critical_entry<D>>(std::move(entry)));
   return entries_.size() - 1;
 }
 
 template <std::size_t D>
-Proof_size Critical_prover<D>::size_of(const Proof_part& part) const
+Proof_size Critical_record<D>::size_of(const Proof_part& part, const Critical_entries<D>& entries) const
 {
   Proof_size result{part.work, static_cast<double>(part.tree.size()), 4 * static_cast<double>(part.entries.size())};
   const auto add = [&](const Proof_size& more) {
@@ -231,48 +235,48 @@ Proof_size Critical_prover<D>::size_of(const Proof_part& part) const
     result.bytes += more.bytes;
     result.values += more.values;
   };
-  std::vector<bool> counted(entries_.size());
+  std::vector<bool> counted(entries.size());
   for (const auto& proof : part.entries) {
     result.bytes += static_cast<double>(proof.trees.size()) + 30;
-    if (!entries_[proof.multipliers].used && !counted[proof.multipliers]) add(entries_[proof.multipliers].size);
+    if (!used_.contains(proof.multipliers) && !counted[proof.multipliers]) add(entries[proof.multipliers]->size);
     counted[proof.multipliers] = true;
   }
   return result;
 }
 
 template <std::size_t D>
-void Critical_prover<D>::add(Proof_part part)
+void Critical_record<D>::add(Proof_part part, const Critical_entries<D>& entries)
 {
-  for (const auto& proof : part.entries) entries_[proof.multipliers].used = true;
+  for (const auto& proof : part.entries) used_.try_emplace(proof.multipliers, entries[proof.multipliers]);
   critical_.insert(critical_.end(), std::make_move_iterator(part.entries.begin()),
                    std::make_move_iterator(part.entries.end()));
 }
 
 /// Entries that no proof uses are left out, so that all numbers change.
 template <std::size_t D>
-void Critical_prover<D>::write_to(Certificate<D>& certificate) &&
+void Critical_record<D>::write_to(Certificate<D>& certificate) &&
 {
-  std::vector<std::size_t> number_of(polynomials_.size());
-  std::iota(number_of.begin(), number_of.begin() + static_cast<std::ptrdiff_t>(given_), std::size_t{0});
-  std::size_t next = given_;
-  std::vector<std::size_t> index_of(entries_.size());
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    Entry& entry = entries_[i];
-    if (!entry.used) continue;
-    index_of[i] = certificate.multipliers.size();
-    Multipliers<D> result{number_of[entry.of], std::move(entry.a), {}, {}};
-    result.b[entry.axis] = std::move(entry.b);
-    for (const auto& [number, exponent] : entry.factors) {
-      number_of[number] = next++;
-      result.factors.emplace_back(polynomials_[number], exponent);
+  std::map<std::size_t, std::size_t> number_of; // polynomials
+  for (std::size_t k = 0; k < given_; ++k) number_of[k] = k;
+  std::map<std::size_t, std::size_t> index_of; // entries
+  for (const auto& [index, entry] : used_) {
+    index_of[index] = certificate.multipliers.size();
+    Multipliers<D> result{number_of.at(entry->of), entry->a, {}, {}};
+    result.b[entry->axis] = entry->b;
+    for (const auto& factor : entry->factors) {
+      const std::size_t next = number_of.size();
+      number_of[factor.number] = next;
+      result.factors.emplace_back(*factor.polynomial, factor.exponent);
     }
     certificate.multipliers.push_back(std::move(result));
   }
-  for (auto& proof : critical_) proof.multipliers = index_of[proof.multipliers];
+  for (auto& proof : critical_) proof.multipliers = index_of.at(proof.multipliers);
   certificate.critical = std::move(critical_);
 }
 
 template class Critical_prover<2>;
 template class Critical_prover<3>;
+template class Critical_record<2>;
+template class Critical_record<3>;
 
 } // namespace corral::certificate

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -52,10 +53,35 @@ struct Face
   std::size_t depth = 0;
 };
 
+/// A factor of what multipliers make of a polynomial and its derivative.
+template <std::size_t D>
+struct Critical_factor
+{
+  std::size_t number = 0; ///< the prover's own
+  unsigned exponent = 1;
+  std::shared_ptr<const Polynomial<Integer, D>> polynomial;
+};
+
+/// Multipliers of a polynomial and one of its derivatives.
+template <std::size_t D>
+struct Critical_entry
+{
+  std::size_t of = 0;   ///< number of the polynomial
+  std::size_t axis = 0; ///< of the derivative
+  Polynomial<Integer, D> a;
+  Polynomial<Integer, D> b;
+  std::vector<Critical_factor<D>> factors{};
+  Proof_size size{};
+};
+
+/// By the numbers that proofs refer to.
+template <std::size_t D>
+using Critical_entries = std::vector<std::shared_ptr<const Critical_entry<D>>>;
+
 /// \brief Proves that boxes hold no zero by critical multipliers (doc/certificate.md, section 6).
 ///
 /// The multipliers are the cofactors of a polynomial and one of its derivatives, made when first needed and shared by
-/// all boxes. A box is cut where they do not do.
+/// all boxes and by copies of the prover, which cost little. A box is cut where they do not do.
 template <std::size_t D>
 class Critical_prover
 {
@@ -66,28 +92,10 @@ public:
   /// The proof that the box holds no zero of the polynomial, if one is found with at most so many boxes.
   [[nodiscard]] std::optional<Proof_part> prove(Face<D> face, std::size_t boxes);
 
-  /// What the part adds to a certificate, with the multipliers that no part added before uses.
-  [[nodiscard]] Proof_size size_of(const Proof_part& part) const;
-
-  /// Adds a part to the certificate, but for its tree.
-  void add(Proof_part part);
-
-  /// Writes the parts that were added.
-  void write_to(Certificate<D>& certificate) &&;
+  /// All multipliers made so far.
+  [[nodiscard]] const Critical_entries<D>& entries() const { return entries_; }
 
 private:
-  using Factors = std::vector<std::pair<std::size_t, unsigned>>; ///< numbers of polynomials and exponents
-
-  struct Entry
-  {
-    std::size_t of = 0;
-    std::size_t axis = 0; ///< of the derivative
-    Polynomial<Integer, D> a;
-    Polynomial<Integer, D> b;
-    Factors factors;
-    Proof_size size{};
-    bool used = false;
-  };
   struct Search
   {
     std::size_t boxes;
@@ -97,17 +105,40 @@ private:
   [[nodiscard]] std::optional<Proof_part> prove_tree(Face<D> face, Search& search, bool is_main);
   [[nodiscard]] std::optional<Proof_part> prove_split(Face<D> face, Search& search, std::size_t axes, bool is_main);
   [[nodiscard]] std::optional<Proof_part> prove_critical(const Face<D>& face, std::size_t axis, Search& search);
-  [[nodiscard]] std::optional<Proof_part> prove_factors(const Face<D>& face, const Factors& factors, Search& search);
+  [[nodiscard]] std::optional<Proof_part> prove_factors(const Face<D>& face, const Critical_entry<D>& entry,
+                                                        Search& search);
   [[nodiscard]] std::optional<Proof_part> prove_facet(const Face<D>& face, std::size_t axis, bool upper,
                                                       Search& search);
   [[nodiscard]] std::optional<std::size_t> entry_for(std::size_t polynomial, std::size_t axis);
   [[nodiscard]] std::optional<std::size_t> make_entry(std::size_t polynomial, std::size_t axis);
 
-  std::vector<Polynomial<Integer, D>> polynomials_;
-  std::size_t given_;
+  std::vector<std::shared_ptr<const Polynomial<Integer, D>>> polynomials_;
   Checkpoint checkpoint_;
-  std::vector<Entry> entries_;
+  Critical_entries<D> entries_;
   std::map<std::pair<std::size_t, std::size_t>, std::optional<std::size_t>> known_;
+};
+
+/// \brief The parts of one certificate that critical multipliers prove, with the multipliers that they use. It needs no
+/// prover to be written down.
+template <std::size_t D>
+class Critical_record
+{
+public:
+  /// \param given  number of polynomials that the certificate is about.
+  explicit Critical_record(std::size_t given) : given_(given) {}
+
+  /// What the part adds to the certificate, with the multipliers that no part added before uses.
+  [[nodiscard]] Proof_size size_of(const Proof_part& part, const Critical_entries<D>& entries) const;
+
+  /// Adds a part to the certificate, but for its tree. \param entries  those that the part refers to.
+  void add(Proof_part part, const Critical_entries<D>& entries);
+
+  /// Writes the parts that were added.
+  void write_to(Certificate<D>& certificate) &&;
+
+private:
+  std::size_t given_;
+  std::map<std::size_t, std::shared_ptr<const Critical_entry<D>>> used_; ///< by their numbers
   std::vector<Critical_proof> critical_;
 };
 

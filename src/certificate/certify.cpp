@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "../decision/patient_step.h"
 #include "Cell_search.h"
 #include "Critical_prover.h"
 #include "guesses.h"
@@ -13,9 +14,11 @@
 #include <corral/polynomial/square_free.h>
 
 #include <algorithm>
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace corral {
@@ -24,6 +27,8 @@ namespace {
 using certificate::Box_forms;
 using certificate::Cell_search;
 using certificate::Critical_prover;
+using certificate::Critical_record;
+using certificate::Face;
 
 constexpr double digits_of_a_word = 19.3;
 
@@ -109,14 +114,14 @@ public:
   Certifier(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid, const Certify_options& options)
       : options_(options), cell_count_(grid.cell_count()), tree_(grid.resolution()),
         result_(start(system, grid, work_)), checkpoint_([this] { require_going(); }),
-        decide_(make_decider<D>(system, grid, checkpoint_))
+        decide_(make_decider<D>(system, grid, checkpoint_of_steps()))
   {
     std::vector<Polynomial<Integer, D>> given;
     for (const auto& f : result_.polynomials) {
       given.push_back(f.square_free);
       proved_.push_back(f.proved());
     }
-    if constexpr (D > 1) prover_.emplace(std::move(given), checkpoint_);
+    if constexpr (D > 1) prover_.emplace(std::move(given), checkpoint_of_steps());
   }
   Certifier(const Certifier&) = delete; // the checkpoint points here
   Certifier& operator=(const Certifier&) = delete;
@@ -135,7 +140,7 @@ public:
       forms.held += forms.forms.back().held();
     }
     visit(std::move(forms), root);
-    if constexpr (D > 1) std::move(*prover_).write_to(result_);
+    if constexpr (D > 1) std::move(record_).write_to(result_);
     return std::move(result_);
   }
 
@@ -143,15 +148,31 @@ private:
   /// Whether to go on; once stopped, for good.
   bool goes_on()
   {
-    if (!stopped_ && options_.progress) {
-      stopped_ = !options_.progress(static_cast<double>(settled_) / cell_count_);
-    }
-    return !stopped_;
+    if (!*stopped_ && options_.progress) *stopped_ = !options_.progress(static_cast<double>(settled_) / cell_count_);
+    return !*stopped_;
   }
 
   void require_going()
   {
     if (!goes_on()) throw Cancelled("certificate: stopped by the caller");
+  }
+
+  /// What long steps call: in a thread of their own they must not ask the caller, nor refer to this object.
+  [[nodiscard]] Checkpoint checkpoint_of_steps() const
+  {
+    if (!options_.patience) return checkpoint_;
+    return [stopped = stopped_] {
+      if (*stopped) throw Cancelled("certificate: stopped by the caller");
+    };
+  }
+
+  /// What the step gives. \param step  owns all that it refers to. \throw Cancelled if it does not end in time.
+  template <class Step>
+  [[nodiscard]] std::invoke_result_t<Step> run(Step step)
+  {
+    if (!options_.patience) return step();
+    return exact::patient_step(
+        std::move(step), [this] { return goes_on(); }, *options_.patience);
   }
 
   /// Whether a checker accepts a file to which so much is added, and the rest as unknown.
@@ -220,7 +241,7 @@ private:
   {
     constexpr std::size_t first_boxes = 64; // a cut or two prove most empty cells
     if (attempt(forms, first_boxes, node) || attempt_guesses(forms, node)) return;
-    const auto decision = decide_(node.corner);
+    const auto decision = run([decide = decide_, cell = node.corner] { return decide(cell); });
     if (decision.verdict == Verdict::hit) return add_witness(decision.witness, node);
     if (attempt_critical(forms, node) || attempt(forms, options_.max_boxes, node)) return;
     leave_unknown(decision.verdict == Verdict::unknown ? "not decided: " + decision.reason
@@ -280,14 +301,18 @@ private:
     if constexpr (D > 1) {
       const std::size_t boxes = std::min(options_.max_boxes, std::size_t{1} << 14);
       for (std::size_t j = 0; j < forms.forms.size(); ++j) {
-        auto part =
-            prover_->prove({forms.forms[j], result_.grid.cell_box(node.corner), j, forms.held, forms.depth}, boxes);
+        Face<D> face{forms.forms[j], result_.grid.cell_box(node.corner), j, forms.held, forms.depth};
+        auto [prover, part] = run([copy = *prover_, face = std::move(face), boxes]() mutable {
+          auto found = copy.prove(std::move(face), boxes);
+          return std::pair(std::move(copy), std::move(found));
+        });
+        prover_ = std::move(prover);
         if (!part) continue;
-        const auto size = prover_->size_of(*part);
+        const auto size = record_.size_of(*part, prover_->entries());
         if (!has_room(size.work, size.bytes, size.values)) continue;
         result_.tree += part->tree;
         ++result_.empty;
-        prover_->add(std::move(*part));
+        record_.add(std::move(*part), prover_->entries());
         return true;
       }
     }
@@ -347,7 +372,7 @@ private:
   const Certify_options& options_;
   double cell_count_;
   std::uint64_t settled_ = 0; ///< cells
-  bool stopped_ = false;
+  std::shared_ptr<std::atomic<bool>> stopped_ = std::make_shared<std::atomic<bool>>(false);
   double work_ = 0;   ///< that a checker counts
   double bytes_ = 0;  ///< of the file, beside the tree
   double values_ = 0; ///< of the file
@@ -357,6 +382,7 @@ private:
   std::function<Cell_decision<D>(const Cell<D>&)> decide_;
   std::vector<Polynomial<Rational, D>> proved_{}; ///< those that the file's proofs are about
   std::optional<Critical_prover<(D > 1 ? D : 2)>> prover_{};
+  Critical_record<(D > 1 ? D : 2)> record_{result_.polynomials.size()};
 };
 
 } // namespace

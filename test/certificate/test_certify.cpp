@@ -246,6 +246,43 @@ TEST(Certify, keeps_what_it_has_proved_when_stopped)
   EXPECT_EQ(check(to_json(certificate, names<2>())).unknown, certificate.unknown);
 }
 
+// The points of x = y where x^30 = 1/2 need a resultant of degree 3600: no one waits for that.
+TEST(Certify, keeps_what_it_has_proved_when_a_long_step_is_left)
+{
+  const auto f = parse_polynomial<2>("(x^30 + y^30 - 1)^2 + (x - y)^60", names<2>());
+  Certify_options options;
+  int asked = 0;
+  options.progress = [&](double) { return ++asked < 400; };
+  options.patience = std::chrono::milliseconds(0);
+  const auto certificate = certify(f, cube<2>("-2", "2", 64), options);
+  EXPECT_EQ(asked, 400);
+  EXPECT_GT(certificate.empty, 0U);
+  EXPECT_GT(certificate.unknown, 0U);
+  EXPECT_EQ(certificate.empty + certificate.hit + certificate.unknown, 64U * 64U);
+  EXPECT_EQ(check(to_json(certificate, names<2>())).unknown, certificate.unknown);
+}
+
+TEST(Certify, proves_the_same_whether_it_is_patient_or_not)
+{
+  for (const auto* const text : {"(y - x^5)^2 + 1/10^14", "x^2 + y^2 - 1", "(x^2 - 2)^2 + (y^2 - 3)^2"}) {
+    const auto f = parse_polynomial<2>(text, names<2>());
+    Certify_options options;
+    options.patience = std::chrono::milliseconds(0);
+    EXPECT_EQ(to_json(certify(f, cube<2>("-2", "2", 8), options), names<2>()),
+              to_json(certify(f, cube<2>("-2", "2", 8)), names<2>()))
+        << text;
+  }
+}
+
+// s^2 + r with positive r: no cell of space is left open.
+TEST(Certify, proves_near_misses_along_a_surface)
+{
+  const auto f = parse_polynomial<3>("(x^2+y^2+z^2-1)^2+1/10^8", names<3>());
+  const auto certificate = certify(f, cube<3>("-1", "1", 8));
+  EXPECT_EQ(certificate.empty, 512U);
+  EXPECT_EQ(check(to_json(certificate, names<3>())).unknown, 0U);
+}
+
 /// What proves a system is no proof of one of its polynomials alone, and the other way round.
 TEST(Certify, proofs_of_systems_are_not_interchangeable)
 {

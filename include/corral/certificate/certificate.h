@@ -8,9 +8,11 @@
 #include <corral/polynomial/integer_form.h>
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -104,9 +106,12 @@ struct Certify_options
 {
   /// The number of boxes into which one cell may be cut to prove that it is empty.
   std::size_t max_boxes = std::size_t{1} << 16;
-  /// Called before each box with the part of the grid that is done (0 to 1); `false` stops. What is proved by then is
-  /// kept, and the rest is unknown.
+  /// Called before each box, and during long steps, with the part of the grid that is done (0 to 1); `false` stops.
+  /// What is proved by then is kept, and the rest is unknown.
   std::function<bool(double)> progress{};
+  /// How long a stop waits for a step of algebra that is under way, as in `Ideal_raster_options`: without a value until
+  /// its end, with one it is left to a thread of its own, and its cell is unknown.
+  std::optional<std::chrono::milliseconds> patience{};
 };
 
 /// \brief Decides every cell of the grid exactly and proves it.

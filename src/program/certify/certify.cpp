@@ -43,6 +43,7 @@ void certify_in(const Certify_arguments& arguments, const Grid_problem<D>& probl
   Certify_options options;
   options.max_boxes = arguments.max_boxes;
   options.progress = [&](double done) { return progress(done); };
+  options.patience = std::chrono::milliseconds(250);
   const auto certificate = certify(problem.system, problem.grid, options);
   if (interrupted_by() != 0) keep_what_is_proved();
   std::string bytes = to_json(certificate, variables);
