@@ -59,7 +59,7 @@ template <std::size_t D>
 template <std::size_t D>
 [[nodiscard]] int levels_of(const Grid_part<D>& part)
 {
-  return std::bit_width(*std::max_element(part.size.begin(), part.size.end()) - 1);
+  return static_cast<int>(std::bit_width(*std::max_element(part.size.begin(), part.size.end()) - 1));
 }
 
 /// The cells of a part of a grid.
