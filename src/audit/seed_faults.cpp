@@ -18,35 +18,35 @@ Exact_polynomial without_intervals(const Polynomial<Rational_interval, 2>& f)
 
 std::vector<Fault_finding> look_for_all(std::vector<Fault_finding> findings,
                                         const std::vector<std::vector<Planted_bounder>>& lists,
-                                        const Audit_options& options)
+                                        const Audit_options& options, const Run_options& run)
 {
   for (const auto& list : lists)
-    for (const auto& bounder : list) findings.push_back(look_for(bounder, options));
+    for (const auto& bounder : list) findings.push_back(look_for(bounder, options, run));
   return findings;
 }
 
 } // namespace
 
-Fault_finding look_for(const Planted_bounder& bounder, const Audit_options& options)
+Fault_finding look_for(const Planted_bounder& bounder, const Audit_options& options, const Run_options& run)
 {
   Audit_options until_first = options;
   until_first.stop_at_first = true;
   const auto audit = audit_bounder<Rational_interval, 2>(
-      [&](const Polynomial<Rational_interval, 2>& f) { return bounder.make(without_intervals(f)); }, until_first);
+      [&](const Polynomial<Rational_interval, 2>& f) { return bounder.make(without_intervals(f)); }, until_first, run);
   const bool caught = audit.first_escape.has_value();
   return {bounder.name, bounder.description, caught ? "bounder audit" : "", audit.cases, caught};
 }
 
-std::vector<Fault_finding> seed_faults(const Audit_options& options)
+std::vector<Fault_finding> seed_faults(const Audit_options& options, const Run_options& run)
 {
-  return look_for_all(seed_number_faults(options), {expansion_faults(), method_faults(), taylor_form_faults()},
-                      options);
+  return look_for_all(seed_number_faults(options, run), {expansion_faults(), method_faults(), taylor_form_faults()},
+                      options, run);
 }
 
-std::vector<Fault_finding> seed_no_faults(const Audit_options& options)
+std::vector<Fault_finding> seed_no_faults(const Audit_options& options, const Run_options& run)
 {
-  return look_for_all(seed_no_number_fault(options), {sound_expansions(), sound_methods(), sound_taylor_forms()},
-                      options);
+  return look_for_all(seed_no_number_fault(options, run), {sound_expansions(), sound_methods(), sound_taylor_forms()},
+                      options, run);
 }
 
 } // namespace corral::audit

@@ -6,6 +6,7 @@
 
 #include <corral/decision/ideal_raster.h>
 #include <corral/errors.h>
+#include <corral/localization/Raster_builder.h>
 #include <corral/polynomial/integer_form.h>
 #include <corral/polynomial/substitution.h>
 
@@ -52,6 +53,7 @@ template <std::size_t D>
 
 /// \brief What the threads of a crew share. It outlives the crew where a thread is left to itself.
 template <std::size_t D, class Make_decider>
+  requires CellDecider<std::invoke_result_t<Make_decider, Checkpoint>, D>
 class Crew_work
 {
 public:
@@ -159,16 +161,16 @@ private:
 
 /// \brief Decides cells with one decider for each thread, so that none is shared. The verdicts do not depend on the
 /// number of threads.
-/// \param make_decider  gives, for a checkpoint, an object with `decide(cell)`. It refers to nothing: with
+/// \param make_decider  gives, for a checkpoint, a model of `CellDecider`. It refers to nothing: with
 ///        `options.patience` a thread may outlive the crew.
 template <std::size_t D, class Make_decider>
 class Cell_crew
 {
 public:
-  Cell_crew(const Make_decider& make_decider, const Ideal_raster_options& options, std::uint64_t done,
-            std::uint64_t total)
-      : options_(options), total_(total),
-        threads_(options.threads != 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency())),
+  Cell_crew(const Make_decider& make_decider, const Run_options& run, const Ideal_raster_options& options,
+            std::uint64_t done, std::uint64_t total)
+      : run_(run), options_(options), total_(static_cast<double>(total)),
+        threads_(run.threads != 0 ? run.threads : std::max(1U, std::thread::hardware_concurrency())),
         work_(std::make_shared<Work>(make_decider, done, threads_))
   {}
 
@@ -187,9 +189,13 @@ public:
   /// Asks the caller whether to go on. Only the caller's own thread does so.
   bool report()
   {
-    if (!work_->is_stopped() && options_.progress && !options_.progress(work_->done(), total_)) work_->stop();
+    if (work_->is_stopped()) return false;
+    if (run_.progress) run_.progress(total_ == 0 ? 1 : static_cast<double>(work_->done()) / total_);
+    if (run_.stop.stop_requested()) work_->stop();
     return !work_->is_stopped();
   }
+
+  [[nodiscard]] bool is_stopped() const { return work_->is_stopped(); }
 
 private:
   using Work = Crew_work<D, Make_decider>;
@@ -212,15 +218,17 @@ private:
     }
   }
 
+  const Run_options& run_;
   const Ideal_raster_options& options_;
-  std::uint64_t total_;
+  double total_;
   unsigned threads_;
   std::shared_ptr<Work> work_;
 };
 
 /// \brief Writes down decisions: who decided what, why not, and for each cell if that is asked for.
 template <std::size_t D>
-void record(Ideal_raster<D>& result, const Cell<D>& cell, const Cell_decision<D>& decision, bool keep)
+void record(Ideal_raster<D>& result, Raster_builder<D>& cells, const Cell<D>& cell, const Cell_decision<D>& decision,
+            bool keep)
 {
   const auto rung = static_cast<std::size_t>(decision.rung);
   if (decision.verdict == Verdict::empty) {
@@ -231,20 +239,46 @@ void record(Ideal_raster<D>& result, const Cell<D>& cell, const Cell_decision<D>
     ++result.rungs.hit[rung];
   else
     ++result.reasons[decision.reason];
-  result.cells.append(cell, decision.verdict);
+  cells.append(cell, decision.verdict);
   if (keep) result.decided.push_back({cell, decision.rung, decision.reason});
+}
+
+/// \throw Invalid_input if the cells that the raster calls empty may hold zeros.
+template <std::size_t D>
+void require_guaranteed(const Raster<D>& candidates)
+{
+  if (!candidates.is_guaranteed())
+    throw Invalid_input(
+        "ideal raster: given a raster that is not guaranteed; expected one over a guaranteed number type");
+}
+
+/// Writes down the cells that were not visited, so that they are not decided.
+template <std::size_t D>
+void record_unvisited(Ideal_raster<D>& result, Raster_builder<D>& cells, const Raster<D>& candidates, bool keep)
+{
+  const std::string reason = "stopped on request before the cell was visited";
+  for (const auto& range : candidates.unvisited()) {
+    cells.leave(range);
+    Cell<D> cell = range.first;
+    if (keep) do
+        result.decided.push_back({cell, Rung::floats, reason});
+      while (range.advance(cell));
+  }
+  if (const auto count = candidates.unvisited_cells(); count > 0) result.reasons[reason] = count;
 }
 
 /// Decides the unknown cells of `candidates`, a batch at a time so that memory does not grow with their number.
 template <std::size_t D, class Make_decider>
-[[nodiscard]] Ideal_raster<D> decide_cells(const Cell_set<D>& candidates, const Ideal_raster_options& options,
-                                           const Make_decider& make_decider)
+[[nodiscard]] Ideal_raster<D> decide_cells(const Raster<D>& candidates, const Run_options& run,
+                                           const Ideal_raster_options& options, const Make_decider& make_decider)
 {
   constexpr std::size_t batch_size = 1 << 14;
-  Ideal_raster<D> result;
-  Cell_crew<D, Make_decider> crew(make_decider, options, candidates.hit(), candidates.plotted());
+  Ideal_raster<D> result{candidates};
+  Raster_builder<D> cells;
+  Cell_crew<D, Make_decider> crew(make_decider, run, options, candidates.hit(),
+                                  candidates.plotted() - candidates.unvisited_cells());
   crew.report();
-  std::vector<std::pair<Cell<D>, Verdict>> batch;
+  std::vector<Plotted_cell<D>> batch;
   const auto flush = [&] {
     std::vector<Cell<D>> open;
     for (const auto& [cell, known] : batch)
@@ -252,16 +286,20 @@ template <std::size_t D, class Make_decider>
     const auto decisions = crew.decide(open);
     auto decision = decisions.begin();
     for (const auto& [cell, known] : batch)
-      record(result, cell, known == Verdict::hit ? Cell_decision<D>{Verdict::hit, Rung::floats, {}, {}} : *decision++,
+      record(result, cells, cell,
+             known == Verdict::hit ? Cell_decision<D>{Verdict::hit, Rung::floats, {}, {}} : *decision++,
              options.keep_rungs);
     batch.clear();
   };
-  candidates.for_each([&](const Cell<D>& cell, Verdict known) {
-    batch.emplace_back(cell, known);
+  const auto decide_or_wait = [&](const Cell<D>& cell, Verdict known) {
+    batch.push_back({cell, known});
     if (batch.size() == batch_size) flush();
-  });
+  };
+  candidates.for_each_visited(decide_or_wait);
   flush();
-  result.cells.finish();
+  record_unvisited(result, cells, candidates, options.keep_rungs);
+  if (crew.is_stopped()) cells.stop();
+  result.raster = std::move(cells).finish(candidates.grid(), true, candidates.counters());
   std::sort(result.decided.begin(), result.decided.end(), [](const auto& a, const auto& b) { return a.cell < b.cell; });
   return result;
 }

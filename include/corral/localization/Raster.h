@@ -75,6 +75,8 @@ public:
   [[nodiscard]] std::uint64_t plotted() const { return plus_unvisited(count(&Block::plotted)); }
   [[nodiscard]] std::uint64_t hit() const { return count(&Block::hit); }
   [[nodiscard]] std::uint64_t unknown() const { return plus_unvisited(count(&Block::plotted) - hit()); }
+  /// How many of the unknown cells were not visited.
+  [[nodiscard]] std::uint64_t unvisited_cells() const { return plus_unvisited(0); }
 
   /// The verdict of one cell. \throw Invalid_input unless it is one of the grid. \par Complexity  logarithmic in the
   /// blocks, linear in the ranges not visited.
@@ -110,6 +112,17 @@ public:
   [[nodiscard]] std::vector<Plotted_cell<D>> neighbours(const Cell<D>& cell) const
   {
     return with_verdicts(grid_.neighbours(cell));
+  }
+
+  /// Calls `visit(cell, verdict)` for every visited cell that is not empty, block by block.
+  template <class Visitor>
+  void for_each_visited(Visitor&& visit) const
+  {
+    for (const Block& block : blocks_)
+      for (std::uint64_t rest = block.plotted; rest != 0; rest &= rest - 1) {
+        const auto bit = static_cast<unsigned>(std::countr_zero(rest));
+        visit(cell_of<D>(block.index, bit), verdict_of(block, bit));
+      }
   }
 
   /// \brief Calls `visit(cell, verdict)` for every cell that is not empty in lexicographic order of the index.
