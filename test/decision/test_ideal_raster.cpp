@@ -2,7 +2,7 @@
 #include "all_cells.h"
 #include "check_witness.h"
 
-#include <corral/decision/ideal_raster.h>
+#include <corral/decision/ideal_system.h>
 #include <corral/errors.h>
 #include <corral/localization/localize.h>
 #include <corral/polynomial/parse.h>

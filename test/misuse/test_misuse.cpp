@@ -104,8 +104,8 @@ TEST(Misuse, of_the_loop_over_bounders)
 {
   using B = Modified_affine_bounder<Outward_interval, 2>;
   const Polynomial<Outward_interval, 2> f({{{1, 0}, 1}});
-  EXPECT_TRUE(refuses("1 bounder for 2 polynomials", [&] { Bounder_form<B>({f, f}, {B(f)}, grid64(), {}); }));
-  EXPECT_TRUE(refuses("before", [&] { (void)Bounder_form<B>({f}, {B(f)}, grid64(), {}).take(); }));
+  EXPECT_TRUE(refuses("1 bounder for 2 polynomials", [&] { Bounder_form<B>({f, f}, {B(f)}, grid64(), {}, {}); }));
+  EXPECT_TRUE(refuses("before", [&] { (void)Bounder_form<B>({f}, {B(f)}, grid64(), {}, {}).take(); }));
 }
 
 TEST(Misuse, of_texts_and_conversions)
