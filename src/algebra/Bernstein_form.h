@@ -77,13 +77,21 @@ void for_each_line(const Dense_coefficients<D>& form, std::size_t axis, const Fu
   for_each_line(form.size, axis, [&](std::size_t first, std::size_t) { function(first); });
 }
 
-/// \brief The number of coefficients of a dense polynomial of the degrees of `g`.
-/// \throw Budget_exceeded if there are more than 2^25 of them.
+/// The number of coefficients of a dense polynomial of the degrees of `g`.
+template <class NT, std::size_t D>
+[[nodiscard]] std::size_t dense_count(const Polynomial<NT, D>& g)
+{
+  static_assert(D <= 3, "at most 2^48");
+  std::size_t count = 1;
+  for (std::size_t k = 0; k < D; ++k) count *= g.degree(k) + std::size_t{1};
+  return count;
+}
+
+/// The same. \throw Budget_exceeded if there are more than 2^25 of them.
 template <class NT, std::size_t D>
 std::size_t dense_size(const Polynomial<NT, D>& g)
 {
-  std::size_t count = 1; // at most 2^48
-  for (std::size_t k = 0; k < D; ++k) count *= g.degree(k) + std::size_t{1};
+  const std::size_t count = dense_count(g);
   constexpr std::size_t most = std::size_t{1} << 25;
   if (count > most)
     throw Budget_exceeded("exact decision: a polynomial has " + std::to_string(count)

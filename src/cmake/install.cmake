@@ -4,7 +4,8 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Corral)
 
-install(DIRECTORY include/corral include/corral_check DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY include/corral include/corral_check DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  PATTERN root_oracles.h EXCLUDE) # of the tests, whose library is not installed
 # One export each, so that whoever only wants cells needs no Cairo.
 set_target_properties(corral_output PROPERTIES EXPORT_NAME output)
 set_target_properties(corral_checker PROPERTIES EXPORT_NAME checker)

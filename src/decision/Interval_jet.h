@@ -154,8 +154,8 @@ private:
       const auto& weights = binomials_(n);
       for_each_line(size_, axis, [&](std::size_t first, std::size_t stride) {
         I* c = &values[first];
-        for (std::size_t i = 0; i < n; ++i)
-          for (std::size_t j = 1; j + i <= n; ++j) c[j * stride] += c[(j - 1) * stride];
+        for (std::size_t i = 1; i <= n; ++i) // times 1 + x, a term more each time: no sum waits for the one before it
+          for (std::size_t j = i; j > 0; --j) c[j * stride] += c[(j - 1) * stride];
         for (std::size_t j = 1; j < n; ++j) c[j * stride] *= weights[j];
       });
     }

@@ -24,7 +24,8 @@ public:
 
   /// Looks for a zero of a polynomial on [0,1]^D, given in the power basis.
   /// \param sign  its strict sign at all corners.
-  [[nodiscard]] Finding<D> look_for_zero(const Power_form<D>& power, int sign)
+  /// \param limits  how far to search.
+  [[nodiscard]] Finding<D> look_for_zero(const Power_form<D>& power, int sign, const Search_limits& limits = {})
   {
     const Arithmetic_scope<I> scope;
     const Jet_maker<I, D> maker(power, binomials_, precision_);
@@ -33,7 +34,7 @@ public:
     jet.values[0] = maker.make(0);
     if (common_sign(jet.values[0]) == sign) return {Finding<D>::Kind::none, {}};
     for (std::size_t part = 1; part <= D; ++part) jet.values[part] = maker.make(part);
-    return exact::look_for_zero(std::move(jet), sign, Search_limits{});
+    return exact::look_for_zero(std::move(jet), sign, limits);
   }
 
 private:

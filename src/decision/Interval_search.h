@@ -34,8 +34,9 @@ struct Finding
 /// How far a search goes.
 struct Search_limits
 {
-  unsigned depth = 10;     ///< halvings of each axis
-  std::size_t pieces = 48; ///< of one level
+  unsigned depth = 10;            ///< halvings of each axis
+  std::size_t pieces = 48;        ///< of one level
+  bool boundary_suffices = false; ///< whether the polynomial has its least values on the boundary of every box
 };
 
 /// The part of a jet on one facet of the box.
@@ -55,21 +56,26 @@ template <IntervalNumber I, std::size_t D>
   return result;
 }
 
-/// de Casteljau at 1/2 along one axis: `jet` becomes the upper half, the lower one is returned. The derivatives keep
-/// their scale.
+/// \brief de Casteljau at 1/2 along one axis: `jet` becomes the upper half, the lower one is returned. The derivatives
+/// keep their scale. Sums are halved at last, and not at each step.
 template <IntervalNumber I, std::size_t D>
 [[nodiscard]] Interval_jet<I, D> halve(Interval_jet<I, D>& jet, std::size_t axis, const I& half)
 {
   Interval_jet<I, D> lower = jet;
   const std::size_t n = jet.size[axis] - 1;
-  for (std::size_t part = 0; part <= D; ++part)
+  std::vector<I> scale{I(1)}; // powers of 1/2
+  while (scale.size() <= n) scale.push_back(scale.back() * half);
+  for (std::size_t part = 0; part <= D; ++part) {
+    if (jet.values[part].empty()) continue; // not asked for
     for_each_line(jet.size, axis, [&](std::size_t first, std::size_t stride) {
       I* c = &jet.values[part][first];
       for (std::size_t k = 1; k <= n; ++k) {
-        for (std::size_t i = 0; i + k <= n; ++i) c[i * stride] = (c[i * stride] + c[(i + 1) * stride]) * half;
-        lower.values[part][first + k * stride] = c[0];
+        for (std::size_t i = 0; i + k <= n; ++i) c[i * stride] += c[(i + 1) * stride];
+        lower.values[part][first + k * stride] = c[0] * scale[k];
       }
+      for (std::size_t i = 0; i < n; ++i) c[i * stride] *= scale[n - i];
     });
+  }
   return lower;
 }
 
@@ -84,8 +90,9 @@ template <IntervalNumber I>
 
 /// \brief The direction in which the derivative is most likely to keep one sign: the mean of the gradient's
 /// coefficients is large there, and their spread small (Fisher's discriminant, by elimination).
+/// \param noise  how much of the whole spread is added in every direction.
 template <IntervalNumber I, std::size_t D>
-[[nodiscard]] std::array<double, D> steadiest_direction(const Interval_jet<I, D>& jet)
+[[nodiscard]] std::array<double, D> steadiest_direction(const Interval_jet<I, D>& jet, double noise)
 {
   const std::size_t count = jet.values[0].size();
   std::array<double, D> direction{}; // the mean, then the solution of covariance * direction = mean
@@ -101,7 +108,7 @@ template <IntervalNumber I, std::size_t D>
         covariance[k][l] += (gradient[k] - direction[k]) * (gradient[l] - direction[l]);
       trace += (gradient[k] - direction[k]) * (gradient[k] - direction[k]);
     }
-  for (std::size_t k = 0; k < D; ++k) covariance[k][k] += 1e-9 * trace;
+  for (std::size_t k = 0; k < D; ++k) covariance[k][k] += noise * trace;
   for (std::size_t k = 0; k < D; ++k) // positive definite: no pivots
     for (std::size_t l = 0; l < D; ++l) {
       if (l == k) continue;
@@ -113,24 +120,30 @@ template <IntervalNumber I, std::size_t D>
   return direction;
 }
 
+/// Whether the derivative along a direction has one strict sign on the box.
+template <IntervalNumber I, std::size_t D>
+[[nodiscard]] bool has_slope_along(const Interval_jet<I, D>& jet, const std::array<double, D>& direction)
+{
+  double largest = 0;
+  for (const double d : direction) largest = std::max(largest, std::fabs(d));
+  if (!(largest > 0 && std::isfinite(largest))) return false;
+  std::array<I, D> factor;
+  for (std::size_t k = 0; k < D; ++k) factor[k] = enclose<I>(Rational(direction[k] / largest));
+  std::vector<I> slope(jet.values[0].size(), I(0));
+  for (std::size_t i = 0; i < slope.size(); ++i)
+    for (std::size_t k = 0; k < D; ++k) slope[i] += jet.values[k + 1][i] * factor[k];
+  return common_sign(slope) != 0;
+}
+
 /// Whether a derivative along some direction has one strict sign on the box.
 template <IntervalNumber I, std::size_t D>
 [[nodiscard]] bool has_slope(const Interval_jet<I, D>& jet)
 {
   for (std::size_t k = 0; k < D; ++k)
     if (common_sign(jet.values[k + 1]) != 0) return true;
-  if constexpr (D > 1) {
-    const auto direction = steadiest_direction(jet);
-    double largest = 0;
-    for (const double d : direction) largest = std::max(largest, std::fabs(d));
-    if (!(largest > 0 && std::isfinite(largest))) return false;
-    std::array<I, D> factor;
-    for (std::size_t k = 0; k < D; ++k) factor[k] = enclose<I>(Rational(direction[k] / largest));
-    std::vector<I> slope(jet.values[0].size(), I(0));
-    for (std::size_t i = 0; i < slope.size(); ++i)
-      for (std::size_t k = 0; k < D; ++k) slope[i] += jet.values[k + 1][i] * factor[k];
-    return common_sign(slope) != 0;
-  }
+  if constexpr (D > 1)
+    for (const double noise : {1e-9, 1e-14}) // the second where there is no spread at all along the bottom of a valley
+      if (has_slope_along(jet, steadiest_direction(jet, noise))) return true;
   return false;
 }
 
@@ -208,11 +221,12 @@ template <IntervalNumber I, std::size_t D>
   if constexpr (D > 1)
     for (std::size_t axis = 0; axis < D; ++axis)
       for (const bool upper : {false, true}) {
-        const auto side = look_for_zero<I, D - 1>(facet(jet, axis, upper), sign, limits);
+        const auto side = look_for_zero<I, D - 1>(facet(jet, axis, upper), sign, {limits.depth, limits.pieces});
         if (side.kind == Finding<D - 1>::Kind::unclear) return {};
         if (side.kind == Finding<D - 1>::Kind::crossing)
           return {Kind::crossing, insert<D - 1>(side.point, axis, upper ? 1 : 0), {}};
       }
+  if (limits.boundary_suffices && D > 1) return {Kind::none, {}, {}};
   std::vector<Interval_piece<I, D>> live(1);
   live[0].jet = std::move(jet);
   for (unsigned depth = 0;; ++depth) {

@@ -25,27 +25,30 @@ public:
   explicit Tiled_form(Power_form<D> power) { moved_[0] = std::move(power); }
 
   /// The polynomial on a cell.
-  [[nodiscard]] const Power_form<D>& on_cell(const Cell<D>& cell)
+  [[nodiscard]] const Power_form<D>& on_cell(const Cell<D>& cell) { return moved_to(cell, 2 * D); }
+
+  /// The polynomial on the block of a cell, in units of cells.
+  [[nodiscard]] const Power_form<D>& on_block(const Cell<D>& cell) { return moved_to(cell, D); }
+
+private:
+  const Power_form<D>& moved_to(const Cell<D>& cell, std::size_t steps)
   {
-    bool moves = false;
-    for (std::size_t step = 0; step < 2 * D; ++step) {
+    for (std::size_t step = 0; step < steps; ++step) {
       const std::size_t axis = step % D;
       const std::uint32_t in_tile = cell[axis] % block_side<D>;
       const std::uint32_t offset = step < D ? cell[axis] - in_tile : in_tile;
-      if (!moves && is_made_ && offset == offset_[step]) continue;
-      moves = true;
+      if (step < made_ && offset == offset_[step]) continue;
       offset_[step] = offset;
       moved_[step + 1] = moved_[step];
       shift(moved_[step + 1], axis, offset);
+      made_ = step + 1;
     }
-    is_made_ = true;
-    return moved_[2 * D];
+    return moved_[steps];
   }
 
-private:
   std::array<Power_form<D>, 2 * D + 1> moved_;
   std::array<std::uint32_t, 2 * D> offset_{};
-  bool is_made_ = false;
+  std::size_t made_ = 0; ///< steps, the first ones, that fit the cell asked for last
 };
 
 } // namespace corral::exact

@@ -2,6 +2,7 @@
 #include "Zero_set.h"
 
 #include "../algebra/Extreme_points.h"
+#include "../algebra/constant_slope.h"
 #include "../algebra/definite.h"
 #include "../algebra/on_box.h"
 #include "../algebra/restriction.h"
@@ -90,6 +91,13 @@ bool Zero_set<D>::is_definite()
 }
 
 template <std::size_t D>
+bool Zero_set<D>::boundary_suffices()
+{
+  if (!has_constant_slope_) has_constant_slope_ = D > 1 && has_constant_slope(polynomial());
+  return *has_constant_slope_;
+}
+
+template <std::size_t D>
 Rational_box<D> Zero_set<D>::piece_box(const Search& search, const Piece& piece) const
 {
   Rational_box<D> result;
@@ -105,11 +113,13 @@ Rational_box<D> Zero_set<D>::piece_box(const Search& search, const Piece& piece)
 template <std::size_t D>
 Cell_decision<D> Zero_set<D>::decide(const Bernstein_form<D>& form, const Rational_box<D>& box)
 {
+  if (is_known_definite()) return {Verdict::empty, Rung::algebra, std::monostate{}, {}};
   const auto pattern = sign_pattern(form);
   if (pattern.crosses) return {Verdict::hit, Rung::integers, corner_witness(corner_signs(form), box), {}};
   if (pattern.hull != 0) return {Verdict::empty, Rung::integers, Bounded_away{}, {}};
   if (D == 3 && is_definite()) return {Verdict::empty, Rung::algebra, std::monostate{}, {}};
   if (auto zero = zero_on_facets(form, box)) return *zero;
+  if (boundary_suffices()) return {Verdict::empty, Rung::integers, Bounded_away{}, {}};
   for (std::size_t axis = 0; axis < D; ++axis)
     if (form.size[axis] > 1 && one_sign_inside(derivative(form, axis)))
       return {Verdict::empty, Rung::integers, No_piece_inside<D>{axis, {box}}, {}};

@@ -36,6 +36,12 @@ public:
   /// \param form  the polynomial on `box`, times a positive number.
   [[nodiscard]] Cell_decision<D> decide(const Bernstein_form<D>& form, const Rational_box<D>& box);
 
+  /// Whether it was seen that there is no real zero at all.
+  [[nodiscard]] bool is_known_definite() const { return definite_.value_or(false); }
+
+  /// Whether the polynomial has its least values on the boundary of every box.
+  [[nodiscard]] bool boundary_suffices();
+
 private:
   static constexpr std::size_t lower_dimension = D > 1 ? D - 1 : 1;
 
@@ -71,6 +77,7 @@ private:
   Witnesses witnesses_;
   std::optional<Polynomial<Integer, D>> polynomial_;
   std::optional<bool> definite_;
+  std::optional<bool> has_constant_slope_;
   std::map<std::pair<std::size_t, Rational>, std::unique_ptr<Zero_set<lower_dimension>>> restrictions_;
   std::unique_ptr<Plane_system> extremes_; ///< D = 2: g and its derivative by y
   std::unique_ptr<Inner_pieces> pieces_;   ///< D = 3: strictly inside a box

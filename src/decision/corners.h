@@ -3,13 +3,13 @@
 #define CORRAL_SRC_DECISION_CORNERS_H
 
 #include "../algebra/Bernstein_form.h"
-#include "../algebra/restriction.h"
 
 #include <corral/decision/Witness.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace corral::exact {
 
@@ -52,15 +52,34 @@ template <std::size_t D>
   return result;
 }
 
+/// numerator^e denominator^(degree - e) for each exponent e of the axis that occurs, 0 for others: powers of the value,
+/// times one positive number.
+template <std::size_t D>
+[[nodiscard]] std::vector<Integer> powers_that_occur(const Polynomial<Integer, D>& f, std::size_t axis,
+                                                     const Rational& value)
+{
+  const unsigned degree = f.degree(axis);
+  std::vector<Integer> powers(degree + std::size_t{1});
+  Integer denominator_power;
+  for (const auto& term : f.terms()) {
+    const unsigned e = term.exponents[axis];
+    if (powers[e] != 0) continue;
+    mpz_pow_ui(powers[e].get_mpz_t(), value.get_num_mpz_t(), e);
+    mpz_pow_ui(denominator_power.get_mpz_t(), value.get_den_mpz_t(), degree - e);
+    powers[e] *= denominator_power;
+  }
+  return powers;
+}
+
 /// \brief Of a polynomial with few terms, on a box.
-/// \par Complexity  2^D D products for each term, and as many as the degrees.
+/// \par Complexity  2^D D products and 2 D powers for each term.
 template <std::size_t D>
 [[nodiscard]] Corner_signs<D> corner_signs_of_terms(const Polynomial<Integer, D>& f, const Rational_box<D>& box)
 {
   std::array<std::array<std::vector<Integer>, 2>, D> powers; // of both ends of each side, times one positive number
   for (std::size_t k = 0; k < D; ++k)
     for (const bool upper : {false, true})
-      powers[k][upper ? 1 : 0] = homogeneous_powers(upper ? box[k].upper() : box[k].lower(), f.degree(k));
+      powers[k][upper ? 1 : 0] = powers_that_occur(f, k, upper ? box[k].upper() : box[k].lower());
   Corner_signs<D> result;
   for (unsigned corner = 0; corner < 1U << D; ++corner) {
     Integer sum = 0;

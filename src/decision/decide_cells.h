@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -20,6 +21,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
 #include <type_traits>
 #include <utility>
@@ -28,17 +30,26 @@
 namespace corral::exact {
 
 /// \brief f in the grid's own coordinates, where each cell is a unit cube with integer corners, times a positive
-/// number. \throw Budget_exceeded if that has too many coefficients.
+/// number. \throw Budget_exceeded if that has too many coefficients, or if they might fill half a gigabyte.
 template <std::size_t D>
 [[nodiscard]] Polynomial<Integer, D> in_grid_coordinates(const Polynomial<Integer, D>& f, const Grid<D>& grid)
 {
-  (void)dense_size(f); // before the substitution makes so many terms
+  constexpr double max_bits = 0x1p32;
+  const auto bits = [](const Integer& x) { return static_cast<double>(mpz_sizeinbase(x.get_mpz_t(), 2)); };
   std::array<Rational, D> offset;
   std::array<Rational, D> scale;
+  double bits_of_one = 0; // coefficient, by what its powers add
   for (std::size_t axis = 0; axis < D; ++axis) {
     offset[axis] = grid.box()[axis].lower();
     scale[axis] = grid.step(axis);
+    bits_of_one +=
+        f.degree(axis)
+        * (std::max(bits(offset[axis].get_num()), bits(scale[axis].get_num())) + bits(scale[axis].get_den()));
   }
+  if (const std::size_t count = dense_size(f); static_cast<double>(count) * bits_of_one > max_bits)
+    throw Budget_exceeded("exact decision: a polynomial has " + std::to_string(count)
+                          + " coefficients, zeros included, of some " + std::to_string(std::lround(bits_of_one))
+                          + " bits on the grid; expected less than half a gigabyte");
   return integer_primitive(
       affine_substitution(transform<Rational>(f, [](const Integer& c) { return Rational(c); }), offset, scale));
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "../algebra/require_nonzero.h"
 #include "../algebra/restriction.h"
+#include "Block_screen.h"
 #include "Interval_rung.h"
+#include "Term_search.h"
 #include "Tiled_form.h"
 #include "Zero_set.h"
 #include "corners.h"
@@ -24,10 +26,32 @@ template <std::size_t D>
 struct Cell_decider<D>::State
 {
   State(const Polynomial<Rational, D>& f, const Grid<D>& the_grid, const Checkpoint& checkpoint, Witnesses witnesses)
-      : grid(the_grid), free(square_free_part(f)), form(exact::power_form(exact::in_grid_coordinates(free, the_grid))),
-        has_few_terms(free.terms().size() * worth_moving < exact::dense_size(free)),
-        zeros([g = free] { return g; }, checkpoint, witnesses)
-  {}
+      : grid(the_grid), free(square_free_part(f)), zeros([g = free] { return g; }, checkpoint, witnesses)
+  {
+    if (free.terms().size() * worth_moving < exact::dense_count(free)) terms.emplace(free);
+  }
+
+  /// What the terms say of a cell, if they are few.
+  [[nodiscard]] std::optional<Cell_decision<D>> decide_by_terms(const Rational_box<D>& box) const
+  {
+    if (!terms) return std::nullopt;
+    const auto corners = exact::corner_signs_of_terms(free, box);
+    if (corners.common() == 0)
+      return Cell_decision<D>{Verdict::hit, Rung::integers, exact::corner_witness(corners, box), {}};
+    return terms->decide(box, corners.common());
+  }
+
+  /// \throw Budget_exceeded if a dense form is too large.
+  [[nodiscard]] Cell_decision<D> decide_by_all_coefficients(const Cell<D>& cell, const Rational_box<D>& box)
+  {
+    if (!form) form.emplace(exact::power_form(exact::in_grid_coordinates(free, grid)));
+    if (screen.excludes(*form, cell)) return {Verdict::empty, Rung::intervals, Bounded_away{}, {}};
+    const auto& power = form->on_cell(cell);
+    const auto corners = exact::corner_signs(power);
+    if (corners.common() == 0) return {Verdict::hit, Rung::integers, exact::corner_witness(corners, box), {}};
+    if (auto decision = decide_by_intervals(power, corners.common(), box)) return *decision;
+    return zeros.decide(exact::to_bernstein(power), box);
+  }
 
   /// What intervals say of a cell. \param sign  that of all corners.
   [[nodiscard]] std::optional<Cell_decision<D>> decide_by_intervals(const exact::Power_form<D>& power, int sign,
@@ -35,10 +59,12 @@ struct Cell_decider<D>::State
   {
     using Kind = typename exact::Finding<D>::Kind;
     auto rung = Rung::intervals;
-    auto finding = doubles.look_for_zero(power, sign);
+    exact::Search_limits limits;
+    limits.boundary_suffices = zeros.boundary_suffices();
+    auto finding = doubles.look_for_zero(power, sign, limits);
     if (finding.kind == Kind::unclear && is_wide(power)) {
       rung = Rung::mpfr;
-      finding = mpfr.look_for_zero(power, sign);
+      finding = mpfr.look_for_zero(power, sign, limits);
     }
     if (finding.kind == Kind::none) return Cell_decision<D>{Verdict::empty, rung, Bounded_away{}, {}};
     if (finding.kind == Kind::crossing) {
@@ -79,12 +105,14 @@ struct Cell_decider<D>::State
   /// The dense coefficients for each term up to which it is cheaper to move all to a cell than to look at the corners
   /// first.
   static constexpr std::size_t worth_moving = 32;
+  static constexpr long precision_of_doubles = 60; // bits
 
   Grid<D> grid;
   Polynomial<Integer, D> free;
-  exact::Tiled_form<D> form;
-  bool has_few_terms;
-  exact::Interval_rung<Outward_interval, D> doubles{60};
+  std::optional<exact::Term_search<D>> terms; ///< if they are few
+  std::optional<exact::Tiled_form<D>> form;   ///< made when first needed
+  exact::Block_screen<Outward_interval, D> screen{precision_of_doubles};
+  exact::Interval_rung<Outward_interval, D> doubles{precision_of_doubles};
   exact::Interval_rung<Mpfr_interval, D> mpfr{128};
   exact::Zero_set<D> zeros;
 };
@@ -114,15 +142,10 @@ template <std::size_t D>
 Cell_decision<D> Cell_decider<D>::decide(const Cell<D>& cell)
 {
   state_->grid.require(cell, "exact decision");
+  if (state_->zeros.is_known_definite()) return {Verdict::empty, Rung::algebra, std::monostate{}, {}};
   const auto box = state_->grid.cell_box(cell);
-  if (state_->has_few_terms)
-    if (const auto corners = exact::corner_signs_of_terms(state_->free, box); corners.common() == 0)
-      return {Verdict::hit, Rung::integers, exact::corner_witness(corners, box), {}};
-  const auto& power = state_->form.on_cell(cell);
-  const auto corners = exact::corner_signs(power);
-  if (corners.common() == 0) return {Verdict::hit, Rung::integers, exact::corner_witness(corners, box), {}};
-  if (auto decision = state_->decide_by_intervals(power, corners.common(), box)) return *decision;
-  return exact::within_budget<D>([&] { return state_->zeros.decide(exact::to_bernstein(power), box); });
+  if (auto decision = state_->decide_by_terms(box)) return *decision;
+  return exact::within_budget<D>([&] { return state_->decide_by_all_coefficients(cell, box); });
 }
 
 namespace {

@@ -15,51 +15,6 @@ namespace {
 using test::box;
 using test::curve;
 
-/// y^2 + a1 x y + a3 y = x^3 + a2 x^2 + a4 x + a6.
-struct Weierstrass
-{
-  long a1, a2, a3, a4, a6;
-
-  [[nodiscard]] Integer discriminant() const
-  {
-    const Integer b2 = a1 * a1 + 4 * a2;
-    const Integer b4 = 2 * a4 + a1 * a3;
-    const Integer b6 = a3 * a3 + 4 * a6;
-    const Integer b8 = a1 * a1 * a6 + 4 * a2 * a6 - a1 * a3 * a4 + a2 * a3 * a3 - a4 * a4;
-    return -b2 * b2 * b8 - 8 * b4 * b4 * b4 - 27 * b6 * b6 + 9 * b2 * b4 * b6;
-  }
-  [[nodiscard]] Polynomial<Rational, 2> polynomial() const
-  {
-    return collect<Rational, 2>(
-        {{{0, 2}, 1}, {{1, 1}, a1}, {{0, 1}, a3}, {{3, 0}, -1}, {{2, 0}, -a2}, {{1, 0}, -a4}, {{0, 0}, -a6}});
-  }
-};
-
-TEST(elliptic_curves, have_two_components_iff_the_discriminant_is_positive)
-{
-  std::mt19937 random(11);
-  const auto pick = [&](long low, long high) {
-    return low + static_cast<long>(random() % static_cast<unsigned long>(high - low + 1));
-  };
-  int smooth = 0;
-  int both = 0;
-  while (smooth < test::rounds(300)) {
-    const Weierstrass e{pick(0, 1), pick(-1, 1), pick(0, 1), pick(-40, 40), pick(-60, 60)};
-    const Integer discriminant = e.discriminant();
-    if (discriminant == 0) continue;
-    ++smooth;
-    // All compact parts have |x| < 16, and |y| < 80 there.
-    const auto mesh = mesh_curve(e.polynomial(), box(-16, 16, -100, 100), {Rational(1)});
-    const std::size_t expected = discriminant > 0 ? 2 : 1;
-    both += discriminant > 0 ? 1 : 0;
-    EXPECT_TRUE(mesh.is_certified());
-    EXPECT_EQ(mesh.components.size(), expected) << e.a1 << ' ' << e.a2 << ' ' << e.a3 << ' ' << e.a4 << ' ' << e.a6;
-    EXPECT_EQ(mesh.closed_components(), expected - 1);
-  }
-  EXPECT_GT(both, smooth / 10);
-  EXPECT_LT(both, smooth - smooth / 10);
-}
-
 struct Circle
 {
   Rational x, y, r;

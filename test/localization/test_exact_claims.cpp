@@ -164,6 +164,7 @@ protected:
       ++cases;
       test::judge(c.system, c.grid, localize(c.system, c.grid), judgement);
     }
+    RecordProperty("close_verdicts", std::to_string(judgement.close)); // --gtest_output=xml writes it down
     EXPECT_EQ(judgement.wrong, "") << path.name;
     EXPECT_GE(judgement.close, least) << path.name << ": " << cases << " cases, " << judgement.unknown << " unknown";
   }
@@ -231,7 +232,7 @@ Judgement judge_seeds(std::uint64_t number, std::uint64_t least, Quantum quantum
   plan.tells_rough = plan.tells_hidden = false;
   fast::Pulse pulse({});
   Judgement judgement;
-  for (int round = 0; judgement.close < least && judgement.faults == 0 && round < 4000; ++round) {
+  for (int round = 0; judgement.close < least && judgement.faults == 0 && round < test::rounds(4000); ++round) {
     std::vector<Polynomial<Rational, D>> polynomials;
     std::vector<Seed<D>> seeds;
     for (unsigned k = 0; k < (1U << D); ++k) {
@@ -267,6 +268,8 @@ void expect_right_seeds(Quantum quantum)
 {
   const auto least = static_cast<std::uint64_t>(test::rounds(10000));
   const auto judgement = judge_seeds<D>(5 + D, least, quantum);
+  const std::string key = "close_verdicts_" + std::to_string(D) + "_" + std::to_string(static_cast<int>(quantum));
+  testing::Test::RecordProperty(key, std::to_string(judgement.close));
   EXPECT_EQ(judgement.wrong, "");
   EXPECT_GE(judgement.close, least);
 }
