@@ -19,6 +19,19 @@ using namespace corral;
 
 static_assert(std::forward_iterator<Raster<2>::Iterator>);
 
+TEST(Grid, finds_its_dimension_in_braces)
+{
+  const Grid plane({{-2, 2}, {-1, 1}}, {64, 32});
+  static_assert(std::same_as<decltype(plane), const Grid<2>>);
+  EXPECT_EQ(plane, Grid<2>({Rational_interval(-2, 2), Rational_interval(-1, 1)}, {64, 32}));
+  const Grid space({{0, Rational(1, 3)}, {-1, 1}, {5, 7}}, 9);
+  static_assert(std::same_as<decltype(space), const Grid<3>>);
+  EXPECT_EQ(space.resolution(), (Resolution<3>{9, 9, 9}));
+  EXPECT_EQ(space.box()[0].upper(), Rational(1, 3));
+  EXPECT_THROW((void)Grid({{1, 1}, {0, 1}}, 4), Invalid_input);
+  EXPECT_THROW((void)Grid({{0, 1}, {0, 1}}, 0), Invalid_input);
+}
+
 template <std::size_t D>
 Grid<D> unit_grid(const Resolution<D>& resolution)
 {
@@ -175,8 +188,8 @@ TEST(Raster, tells_the_cells_of_a_point_and_around_a_cell)
   builder.append({2, 2}, Verdict::hit);
   const auto found = std::move(builder).finish(grid, true);
   for (int k = 0; k < 300; ++k) { // on lines of the grid, between them and outside
-    const Rational_point<2> point{Rational(static_cast<int>(random() % 17) - 6, 4),
-                                  Rational(static_cast<int>(random() % 13) - 1, 30)};
+    const Rational_point<2> point{Rational(static_cast<int>(random() % 17) - 6) / 4,
+                                  Rational(static_cast<int>(random() % 13) - 1) / 30};
     std::vector<Cell<2>> expected;
     test::for_each_cell<2>(grid.resolution(), [&](const Cell<2>& cell) {
       const auto box = grid.cell_box(cell);

@@ -108,7 +108,8 @@ public:
       const Rational place = (point[axis] - box_[axis].lower()) / step_[axis];
       if (sgn(place) < 0 || place > resolution_[axis]) return {};
       const auto floor = static_cast<std::uint32_t>(Integer(place.get_num() / place.get_den()).get_ui());
-      first[axis] = floor > 0 && place == floor ? floor - 1 : floor;
+      const bool is_line = place.get_num() % place.get_den() == 0;
+      first[axis] = floor > 0 && is_line ? floor - 1 : floor;
       last[axis] = std::min(floor, resolution_[axis] - 1);
     }
     return cells_between(first, last);
