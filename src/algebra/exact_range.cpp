@@ -128,8 +128,9 @@ Range_enclosure univariate_range(const Polynomial<Rational, 1>& f, const Rationa
 
 template <std::size_t D>
 Range_enclosure exact_range(const Polynomial<Rational, D>& f, const Rational_box<D>& box, const Rational& tolerance,
-                            const Checkpoint& checkpoint)
+                            const Run_options& run)
 {
+  const Checkpoint checkpoint = checkpoint_of(run, "exact range");
   if (tolerance <= 0)
     throw Invalid_input("exact range: the tolerance is " + to_string(tolerance) + "; expected a positive number");
   if constexpr (D == 1)
@@ -144,10 +145,10 @@ Range_enclosure exact_range(const Polynomial<Rational, D>& f, const Rational_box
 }
 
 template Range_enclosure exact_range(const Polynomial<Rational, 1>&, const Rational_box<1>&, const Rational&,
-                                     const Checkpoint&);
+                                     const Run_options&);
 template Range_enclosure exact_range(const Polynomial<Rational, 2>&, const Rational_box<2>&, const Rational&,
-                                     const Checkpoint&);
+                                     const Run_options&);
 template Range_enclosure exact_range(const Polynomial<Rational, 3>&, const Rational_box<3>&, const Rational&,
-                                     const Checkpoint&);
+                                     const Run_options&);
 
 } // namespace corral

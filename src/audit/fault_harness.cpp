@@ -14,12 +14,12 @@ Exact_polynomial without_intervals(const Polynomial<Rational_interval, 2>& f)
 
 } // namespace
 
-Fault_finding look_for(const Planted_bounder& bounder, const Audit_options& options)
+Fault_finding look_for(const Planted_bounder& bounder, const Audit_options& options, const Run_options& run)
 {
   Audit_options until_first = options;
   until_first.stop_at_first = true;
   const auto audit = audit_bounder<Rational_interval, 2>(
-      [&](const Polynomial<Rational_interval, 2>& f) { return bounder.make(without_intervals(f)); }, until_first);
+      [&](const Polynomial<Rational_interval, 2>& f) { return bounder.make(without_intervals(f)); }, until_first, run);
   const bool caught = audit.first_escape.has_value();
   return {bounder.name, bounder.description, caught ? "bounder audit" : "", audit.cases, caught};
 }

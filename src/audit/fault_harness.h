@@ -4,6 +4,7 @@
 
 #include "Fault_finding.h"
 
+#include <corral/Run_options.h>
 #include <corral/audit/Audit_options.h>
 #include <corral/number/Rational_interval.h>
 #include <corral/polynomial/Box.h>
@@ -50,11 +51,12 @@ template <class Bounder>
 }
 
 /// Audits one bounder until the first escape.
-[[nodiscard]] Fault_finding look_for(const Planted_bounder& bounder, const Audit_options& options);
+[[nodiscard]] Fault_finding look_for(const Planted_bounder& bounder, const Audit_options& options,
+                                     const Run_options& run);
 
 // One list for each kind of fault, and what each was made from.
-[[nodiscard]] std::vector<Fault_finding> seed_number_faults(const Audit_options& options);
-[[nodiscard]] std::vector<Fault_finding> seed_no_number_fault(const Audit_options& options);
+[[nodiscard]] std::vector<Fault_finding> seed_number_faults(const Audit_options& options, const Run_options& run);
+[[nodiscard]] std::vector<Fault_finding> seed_no_number_fault(const Audit_options& options, const Run_options& run);
 [[nodiscard]] std::vector<Planted_bounder> expansion_faults();
 [[nodiscard]] std::vector<Planted_bounder> sound_expansions();
 [[nodiscard]] std::vector<Planted_bounder> memory_faults();

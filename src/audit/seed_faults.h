@@ -4,6 +4,7 @@
 
 #include "Fault_finding.h"
 
+#include <corral/Run_options.h>
 #include <corral/audit/Audit_options.h>
 
 #include <vector>
@@ -15,10 +16,10 @@ namespace corral::audit {
 
 /// \brief Plants every fault in turn and lets the audits of numbers and of bounders look for it.
 /// \param options  `seed`, and how many `cases` to try before a fault counts as not found.
-[[nodiscard]] std::vector<Fault_finding> seed_faults(const Audit_options& options = {});
+[[nodiscard]] std::vector<Fault_finding> seed_faults(const Audit_options& options = {}, const Run_options& run = {});
 
 /// The same harness over the types and bounders from which the faulty copies were made: nothing may be caught.
-[[nodiscard]] std::vector<Fault_finding> seed_no_faults(const Audit_options& options = {});
+[[nodiscard]] std::vector<Fault_finding> seed_no_faults(const Audit_options& options = {}, const Run_options& run = {});
 
 } // namespace corral::audit
 

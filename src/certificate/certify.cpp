@@ -14,7 +14,6 @@
 #include <corral/polynomial/square_free.h>
 
 #include <algorithm>
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -111,8 +110,9 @@ public:
   using Node = Subdivision_node<D>;
   using Forms = Box_forms<D>;
 
-  Certifier(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid, const Certify_options& options)
-      : options_(options), cell_count_(grid.cell_count()), tree_(grid.resolution()),
+  Certifier(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid, const Run_options& run,
+            const Certify_options& options)
+      : run_(run), options_(options), cell_count_(grid.cell_count()), tree_(grid.resolution()),
         result_(start(system, grid, work_)), checkpoint_([this] { require_going(); }),
         decide_(make_decider<D>(system, grid, checkpoint_of_steps()))
   {
@@ -148,21 +148,21 @@ private:
   /// Whether to go on; once stopped, for good.
   bool goes_on()
   {
-    if (!*stopped_ && options_.progress) *stopped_ = !options_.progress(static_cast<double>(settled_) / cell_count_);
-    return !*stopped_;
+    if (run_.progress && !run_.stop.stop_requested()) run_.progress(static_cast<double>(settled_) / cell_count_);
+    return !run_.stop.stop_requested();
   }
 
   void require_going()
   {
-    if (!goes_on()) throw Cancelled("certificate: stopped by the caller");
+    if (!goes_on()) throw Cancelled("certificate: stopped on request");
   }
 
   /// What long steps call: in a thread of their own they must not ask the caller, nor refer to this object.
   [[nodiscard]] Checkpoint checkpoint_of_steps() const
   {
     if (!options_.patience) return checkpoint_;
-    return [stopped = stopped_] {
-      if (*stopped) throw Cancelled("certificate: stopped by the caller");
+    return [stop = run_.stop] {
+      if (stop.stop_requested()) throw Cancelled("certificate: stopped on request");
     };
   }
 
@@ -369,13 +369,13 @@ private:
 
   static constexpr const char* too_large = "a proof would be beyond the limits of a checker";
 
+  const Run_options& run_;
   const Certify_options& options_;
   double cell_count_;
   std::uint64_t settled_ = 0; ///< cells
-  std::shared_ptr<std::atomic<bool>> stopped_ = std::make_shared<std::atomic<bool>>(false);
-  double work_ = 0;   ///< that a checker counts
-  double bytes_ = 0;  ///< of the file, beside the tree
-  double values_ = 0; ///< of the file
+  double work_ = 0;           ///< that a checker counts
+  double bytes_ = 0;          ///< of the file, beside the tree
+  double values_ = 0;         ///< of the file
   Subdivision_tree<D> tree_;
   Certificate<D> result_;
   Checkpoint checkpoint_;
@@ -388,14 +388,17 @@ private:
 } // namespace
 
 template <std::size_t D>
-Certificate<D> certify(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+Certificate<D> certify(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid, const Run_options& run,
                        const Certify_options& options)
 {
-  return Certifier<D>(system, grid, options).run();
+  return Certifier<D>(system, grid, run, options).run();
 }
 
-template Certificate<1> certify(const std::vector<Polynomial<Rational, 1>>&, const Grid<1>&, const Certify_options&);
-template Certificate<2> certify(const std::vector<Polynomial<Rational, 2>>&, const Grid<2>&, const Certify_options&);
-template Certificate<3> certify(const std::vector<Polynomial<Rational, 3>>&, const Grid<3>&, const Certify_options&);
+template Certificate<1> certify(const std::vector<Polynomial<Rational, 1>>&, const Grid<1>&, const Run_options&,
+                                const Certify_options&);
+template Certificate<2> certify(const std::vector<Polynomial<Rational, 2>>&, const Grid<2>&, const Run_options&,
+                                const Certify_options&);
+template Certificate<3> certify(const std::vector<Polynomial<Rational, 3>>&, const Grid<3>&, const Run_options&,
+                                const Certify_options&);
 
 } // namespace corral

@@ -4,7 +4,7 @@
 
 #include "../algebra/Bernstein_form.h"
 
-#include <corral/localization/Cell_set.h>
+#include <corral/localization/Cell_block.h>
 
 #include <array>
 #include <cstddef>

@@ -4,16 +4,14 @@
 
 #include "../algebra/on_box.h"
 
-#include <corral/algebra/Checkpoint.h>
+#include <corral/Run_options.h>
 #include <corral/errors.h>
-#include <corral/localization/Cell_set.h>
-#include <corral/localization/Grid.h>
+#include <corral/localization/Raster_builder.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -22,35 +20,6 @@
 /// is there to judge them.
 namespace corral::exact {
 
-/// Cells [first, end) of each axis.
-template <std::size_t D>
-struct Cell_range
-{
-  Cell<D> first{};
-  Cell<D> end{};
-
-  [[nodiscard]] bool contains(const Cell<D>& cell) const
-  {
-    for (std::size_t k = 0; k < D; ++k)
-      if (cell[k] < first[k] || cell[k] >= end[k]) return false;
-    return true;
-  }
-  [[nodiscard]] double count() const
-  {
-    double product = 1;
-    for (std::size_t k = 0; k < D; ++k) product *= end[k] - first[k];
-    return product;
-  }
-};
-
-/// What a walk has found.
-template <std::size_t D>
-struct Walked
-{
-  Cell_set<D> cells; ///< all that may hold a common zero; `hit` where corners of the one polynomial show it
-  std::vector<Cell_range<D>> left; ///< what was not looked at when it was stopped
-};
-
 /// \brief Halves the grid, padded to powers of two, and drops the parts on which the Bernstein coefficients of one
 /// polynomial have one strict sign.
 template <std::size_t D>
@@ -58,42 +27,40 @@ class Exact_walk
 {
 public:
   /// \param system  none of the polynomials is zero.
-  /// \param proceed  called at each node with the number of cells settled; `false` stops.
-  Exact_walk(const std::vector<Polynomial<Integer, D>>& system, const Grid<D>& grid,
-             std::function<bool(double)> proceed)
-      : resolution_(grid.resolution()), proceed_(std::move(proceed))
+  Exact_walk(const std::vector<Polynomial<Integer, D>>& system, Grid<D> the_grid, Run_options run)
+      : grid_(std::move(the_grid)), resolution_(grid_.resolution()), run_(std::move(run))
   {
     Node root;
     Rational_box<D> box;
     for (std::size_t k = 0; k < D; ++k) {
       exponent_[k] = static_cast<unsigned>(std::bit_width(resolution_[k] - 1));
-      const Rational width = grid.step(k) * span(exponent_[k], k);
-      box[k] = Rational_interval(grid.box()[k].lower(), Rational(grid.box()[k].lower() + width));
+      const Rational width = grid_.step(k) * span(exponent_[k], k);
+      box[k] = Rational_interval(grid_.box()[k].lower(), Rational(grid_.box()[k].lower() + width));
     }
     root.level = *std::max_element(exponent_.begin(), exponent_.end());
     for (const auto& f : system) drop_twos(root.forms.emplace_back(bernstein_form(f, box)));
     open_.push_back(std::move(root));
   }
 
-  [[nodiscard]] Walked<D> run() &&
+  /// All cells that may hold a common zero; `hit` where corners of the one polynomial show it.
+  [[nodiscard]] Raster<D> run() &&
   {
-    Walked<D> result;
+    Raster_builder<D> result;
     double settled = 0;
-    while (!open_.empty() && proceed_(settled)) {
+    while (!open_.empty() && goes_on(settled / grid_.cell_count())) {
       Node node = std::move(open_.back());
       open_.pop_back();
       if (excludes_zero(node.forms))
         settled += range(node).count();
       else if (node.level == 0) {
         const bool is_hit = node.forms.size() == 1 && sign_pattern(node.forms.front()).crosses;
-        result.cells.append(node.first, is_hit ? Verdict::hit : Verdict::unknown);
+        result.append(node.first, is_hit ? Verdict::hit : Verdict::unknown);
         ++settled;
       } else
         split(std::move(node));
     }
-    for (const Node& node : open_) result.left.push_back(range(node));
-    result.cells.finish();
-    return result;
+    for (const Node& node : open_) result.leave(range(node));
+    return std::move(result).finish(grid_, true);
   }
 
 private:
@@ -104,6 +71,12 @@ private:
     Cell<D> first{};
     unsigned level = 0;
   };
+
+  [[nodiscard]] bool goes_on(double done) const
+  {
+    if (run_.progress) run_.progress(done);
+    return !run_.stop.stop_requested();
+  }
 
   [[nodiscard]] std::uint32_t span(unsigned level, std::size_t axis) const
   {
@@ -146,9 +119,10 @@ private:
     open_.erase(std::remove_if(open_.begin() + static_cast<std::ptrdiff_t>(begin), open_.end(), outside), open_.end());
   }
 
+  Grid<D> grid_;
   Resolution<D> resolution_;
   std::array<unsigned, D> exponent_{}; ///< of the padded grid
-  std::function<bool(double)> proceed_;
+  Run_options run_;
   std::vector<Node> open_; ///< a stack
 };
 

@@ -174,30 +174,30 @@ private:
 } // namespace
 
 template <std::size_t D>
-Ideal_raster<D> ideal_raster(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Cell_set<D>& candidates,
+Ideal_raster<D> ideal_raster(const Polynomial<Rational, D>& f, const Raster<D>& candidates, const Run_options& run,
                              const Ideal_raster_options& options)
 {
-  candidates.require_grid(grid, "ideal raster");
-  auto raster = exact::decide_cells(candidates, options, [f, grid](const Checkpoint& checkpoint) {
+  exact::require_guaranteed(candidates);
+  const auto& grid = candidates.grid();
+  auto ideal = exact::decide_cells(candidates, run, options, [f, grid](const Checkpoint& checkpoint) {
     return Cell_decider<D>(f, grid, checkpoint, Witnesses::simple);
   });
   if (options.recheck) {
     const auto free = square_free_part(f);
-    raster.rechecked = exact::recheck(raster, {free}, grid, options, [free, grid](const Checkpoint& checkpoint) {
-      return Integer_decider<D>(free, grid, checkpoint);
-    });
+    exact::recheck(ideal, {free}, run, options,
+                   [free, grid](const Checkpoint& checkpoint) { return Integer_decider<D>(free, grid, checkpoint); });
   }
-  return raster;
+  return ideal;
 }
 
 template class Cell_decider<1>;
 template class Cell_decider<2>;
 template class Cell_decider<3>;
-template Ideal_raster<1> ideal_raster(const Polynomial<Rational, 1>&, const Grid<1>&, const Cell_set<1>&,
+template Ideal_raster<1> ideal_raster(const Polynomial<Rational, 1>&, const Raster<1>&, const Run_options&,
                                       const Ideal_raster_options&);
-template Ideal_raster<2> ideal_raster(const Polynomial<Rational, 2>&, const Grid<2>&, const Cell_set<2>&,
+template Ideal_raster<2> ideal_raster(const Polynomial<Rational, 2>&, const Raster<2>&, const Run_options&,
                                       const Ideal_raster_options&);
-template Ideal_raster<3> ideal_raster(const Polynomial<Rational, 3>&, const Grid<3>&, const Cell_set<3>&,
+template Ideal_raster<3> ideal_raster(const Polynomial<Rational, 3>&, const Raster<3>&, const Run_options&,
                                       const Ideal_raster_options&);
 
 } // namespace corral

@@ -58,27 +58,27 @@ Cell_decision<D> System_decider<D>::decide(const Cell<D>& cell)
 }
 
 template <std::size_t D>
-Ideal_raster<D> ideal_raster(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
-                             const Cell_set<D>& candidates, const Ideal_raster_options& options)
+Ideal_raster<D> ideal_raster(const std::vector<Polynomial<Rational, D>>& system, const Raster<D>& candidates,
+                             const Run_options& run, const Ideal_raster_options& options)
 {
-  candidates.require_grid(grid, "ideal raster");
-  const auto make_decider = [system, grid](const Checkpoint& checkpoint) {
+  exact::require_guaranteed(candidates);
+  const auto make_decider = [system, grid = candidates.grid()](const Checkpoint& checkpoint) {
     return System_decider<D>(system, grid, checkpoint, Witnesses::simple);
   };
-  auto raster = exact::decide_cells(candidates, options, make_decider);
+  auto ideal = exact::decide_cells(candidates, run, options, make_decider);
   if (options.recheck) { // a system's decider uses no floats
     std::vector<Polynomial<Integer, D>> integers;
     for (const auto& f : system) integers.push_back(integer_primitive(f));
-    raster.rechecked = exact::recheck(raster, integers, grid, options, make_decider);
+    exact::recheck(ideal, integers, run, options, make_decider);
   }
-  return raster;
+  return ideal;
 }
 
 template class System_decider<2>;
 template class System_decider<3>;
-template Ideal_raster<2> ideal_raster(const std::vector<Polynomial<Rational, 2>>&, const Grid<2>&, const Cell_set<2>&,
+template Ideal_raster<2> ideal_raster(const std::vector<Polynomial<Rational, 2>>&, const Raster<2>&, const Run_options&,
                                       const Ideal_raster_options&);
-template Ideal_raster<3> ideal_raster(const std::vector<Polynomial<Rational, 3>>&, const Grid<3>&, const Cell_set<3>&,
+template Ideal_raster<3> ideal_raster(const std::vector<Polynomial<Rational, 3>>&, const Raster<3>&, const Run_options&,
                                       const Ideal_raster_options&);
 
 } // namespace corral

@@ -34,19 +34,16 @@ struct Disagreement
   }
 };
 
-/// Compares what both rasters have decided. \param left  parts of the grid of which `exact` knows nothing.
+/// Compares what both rasters have decided.
 template <std::size_t D>
-[[nodiscard]] Disagreement<D> compare(const Cell_set<D>& claimed, const Cell_set<D>& exact,
-                                      const std::vector<Cell_range<D>>& left)
+[[nodiscard]] Disagreement<D> compare(const Raster<D>& claimed, const Raster<D>& exact)
 {
   Disagreement<D> result;
-  exact.for_each([&](const Cell<D>& cell, Verdict truth) {
-    if (truth == Verdict::hit && claimed.at(cell) == Verdict::empty) result.see(cell, Verdict::empty, truth);
+  exact.for_each_visited([&](const Cell<D>& cell, Verdict truth) {
+    if (truth == Verdict::hit && claimed.verdict(cell) == Verdict::empty) result.see(cell, Verdict::empty, truth);
   });
-  claimed.for_each([&](const Cell<D>& cell, Verdict said) {
-    if (said != Verdict::hit || exact.at(cell) != Verdict::empty) return;
-    if (std::none_of(left.begin(), left.end(), [&](const auto& range) { return range.contains(cell); }))
-      result.see(cell, said, Verdict::empty);
+  claimed.for_each_visited([&](const Cell<D>& cell, Verdict said) {
+    if (said == Verdict::hit && exact.verdict(cell) == Verdict::empty) result.see(cell, said, Verdict::empty);
   });
   return result;
 }
@@ -63,35 +60,21 @@ template <std::size_t D>
                       {found.cell.begin(), found.cell.end()}, found.claimed, found.exact, found.cells);
 }
 
-/// \brief Decides every cell of the grid without floats and compares.
+/// \brief Decides every cell of the grid without floats, compares and notes the number of cells decided.
 /// \param system  integer polynomials, none of them zero, with the zeros that were asked for.
 /// \param make_decider  as for `decide_cells`; the decider uses no floats.
-/// \return the number of cells decided a second time. \throw Contradiction.
+/// \throw Contradiction.
 template <std::size_t D, class Make_decider>
-[[nodiscard]] double recheck(const Ideal_raster<D>& raster, const std::vector<Polynomial<Integer, D>>& system,
-                             const Grid<D>& grid, const Ideal_raster_options& options, const Make_decider& make_decider)
+void recheck(Ideal_raster<D>& ideal, const std::vector<Polynomial<Integer, D>>& system, const Run_options& run,
+             const Ideal_raster_options& options, const Make_decider& make_decider)
 {
-  constexpr double most = 0x1p62; // that the callback can be told
-  const double all = grid.cell_count();
-  const double unit = std::max(1.0, all / most);
-  bool stopped = false;
-  const auto told = [&](double done) { return static_cast<std::uint64_t>(done / unit); };
-  const auto walked = Exact_walk<D>(system, grid, [&](double settled) {
-                        stopped = stopped || (options.progress && !options.progress(told(settled), told(all)));
-                        return !stopped;
-                      }).run();
-  Ideal_raster_options again;
-  again.threads = options.threads;
-  again.patience = options.patience;
-  again.progress = [&](std::uint64_t done, std::uint64_t total) {
-    stopped = stopped || (options.progress && !options.progress(done, total));
-    return !stopped;
-  };
-  const auto exact = decide_cells(walked.cells, again, make_decider);
-  if (const auto found = compare(raster.cells, exact.cells, walked.left); found.cells > 0) complain(found);
-  double open = static_cast<double>(exact.cells.unknown());
-  for (const auto& range : walked.left) open += range.count();
-  return all - open;
+  const auto& grid = ideal.raster.grid();
+  const auto walked = Exact_walk<D>(system, grid, run).run();
+  const auto exact = decide_cells(walked, run, {.patience = options.patience}, make_decider).raster;
+  if (const auto found = compare(ideal.raster, exact); found.cells > 0) complain(found);
+  double open = static_cast<double>(exact.unknown() - exact.unvisited_cells());
+  for (const auto& range : exact.unvisited()) open += range.count();
+  ideal.rechecked = grid.cell_count() - open;
 }
 
 } // namespace corral::exact

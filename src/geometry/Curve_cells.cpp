@@ -8,9 +8,10 @@ namespace corral::geometry {
 
 namespace {
 
-constexpr double coarse = 0x1p-7;        // of a side: zeros on it should be apart
-constexpr double fine = 0x1p-26;         // where they must be
-constexpr double large = 0x1p-5;         // cells so few that precision, which all others inherit, costs nothing
+constexpr double coarse = 0x1p-7; // of a side: zeros on it should be apart
+constexpr double fine = 0x1p-26;  // where they must be
+constexpr double large = 0x1p-5;  // cells so few that precision, which all others inherit, costs nothing
+constexpr const char* stopped = "stopped on request";
 constexpr double least_length = 0x1p-40; // of a cell in the unit box: its corners are doubles
 
 struct Event
@@ -52,7 +53,9 @@ void Curve_cells::run(const std::array<double, 2>& first_cuts)
 
 Outline Curve_cells::trace(Cell cell)
 {
-  if (settings_.checkpoint && cells_ % 256 == 0) settings_.checkpoint();
+  constexpr std::uint64_t most_cells = std::uint64_t{1} << 21;
+  if (settings_.run.progress && cells_ % 256 == 0) settings_.run.progress(0);
+  if (settings_.run.stop.stop_requested()) return give_up(cell, stopped);
   ++cells_;
   const double worst = std::max(cell.length(0), cell.length(1)) > large ? 0x1p-32 : 0x1p-16;
   if (cell.form.error() > worst * cell.form.largest()) {
@@ -62,9 +65,15 @@ Outline Curve_cells::trace(Cell cell)
     cell.form = Cell_form(f_, {side(0), side(1)});
   }
   Outline outline;
-  const Shape shape = resolve(cell, outline);
+  Shape shape = Shape::unclear;
+  try {
+    shape = resolve(cell, outline);
+  } catch (const Cancelled&) { // by the search of singular points
+    return give_up(cell, stopped);
+  }
   if (shape == Shape::done) return outline;
-  if (cells_ > settings_.max_cells) return give_up(cell, "more cells than the budget allows");
+  if (cells_ > settings_.run.cell_budget.value_or(most_cells))
+    return give_up(cell, "more cells than the budget allows");
   const double scale0 = shape == Shape::coarse ? settings_.size[0] : 1;
   const double scale1 = shape == Shape::coarse ? settings_.size[1] : 1;
   const std::size_t axis = cell.length(0) * scale0 >= cell.length(1) * scale1 ? 0 : 1;

@@ -5,7 +5,7 @@
 #include "Plane_graph.h"
 #include "Singular_points.h"
 
-#include <corral/algebra/Checkpoint.h>
+#include <corral/Run_options.h>
 
 #include <optional>
 #include <string>
@@ -52,8 +52,7 @@ struct Curve_settings
   std::array<double, 2> size{1, 1}; ///< of the box, rounded up
   double tolerance = 1;             ///< rounded down
   Rational aspect = 1;              ///< height over width of the box
-  std::size_t max_cells = 0;
-  Checkpoint checkpoint{};
+  Run_options run{};                ///< `cell_budget` is 2^21 by default
 };
 
 /// \brief The zero set of a square-free polynomial in the unit box as a graph, cell by cell.
@@ -74,7 +73,7 @@ public:
   Curve_cells(const Polynomial<Integer, 2>& f, Singular_points& singular, const Curve_settings& settings);
 
   /// Cuts the box first at `first_cuts`, which should be like no coordinate of the curve. \throw Not_generic if they
-  /// are; whatever the checkpoint throws.
+  /// are.
   void run(const std::array<double, 2>& first_cuts);
 
   [[nodiscard]] const Plane_graph& graph() const { return graph_; }

@@ -34,7 +34,7 @@ constexpr std::array<std::array<double, 2>, 6> first_cuts{{{265.0 / 512, 251.0 /
                                                            {287.0 / 512, 221.0 / 512},
                                                            {219.0 / 512, 301.0 / 512}}};
 
-void require_meshable(const Polynomial<Rational, 2>& f, const Rational_box<2>& box, const Mesh_options& options)
+void require_meshable(const Polynomial<Rational, 2>& f, const Rational_box<2>& box, const Rational& tolerance)
 {
   if (f.is_zero())
     throw Invalid_input("mesh_curve: the polynomial is zero, so that every point is a zero; expected one that is not");
@@ -42,8 +42,8 @@ void require_meshable(const Polynomial<Rational, 2>& f, const Rational_box<2>& b
     if (box[k].lower() >= box[k].upper())
       throw Invalid_input("mesh_curve: side " + std::to_string(k + 1) + " of the box is the point "
                           + box[k].lower().get_str() + "; expected LOWER < UPPER");
-  if (options.tolerance <= 0)
-    throw Invalid_input("mesh_curve: the tolerance is " + options.tolerance.get_str() + "; expected a positive number");
+  if (tolerance <= 0)
+    throw Invalid_input("mesh_curve: the tolerance is " + tolerance.get_str() + "; expected a positive number");
 }
 
 /// A curve and the sides of a box that are part of it.
@@ -168,18 +168,18 @@ private:
 
 } // namespace
 
-Curve_mesh mesh_curve(const Polynomial<Rational, 2>& f, const Rational_box<2>& box, const Mesh_options& options)
+Curve_mesh mesh_curve(const Polynomial<Rational, 2>& f, const Rational_box<2>& box, const Rational& tolerance,
+                      const Run_options& run)
 {
   const Nearest_scope scope;
-  require_meshable(f, box, options);
+  require_meshable(f, box, tolerance);
   const Parts parts = without_sides(f, box);
-  Singular_points singular(parts.rest, box, options.checkpoint);
+  Singular_points singular(parts.rest, box, checkpoint_of(run, "mesh_curve"));
   Curve_settings settings;
   for (std::size_t k = 0; k < 2; ++k) settings.size[k] = bracket(box[k].upper() - box[k].lower()).above;
-  settings.tolerance = bracket(options.tolerance).below;
+  settings.tolerance = bracket(tolerance).below;
   settings.aspect = (box[1].upper() - box[1].lower()) / (box[0].upper() - box[0].lower());
-  settings.max_cells = options.max_cells;
-  settings.checkpoint = options.checkpoint;
+  settings.run = run;
   Plane_graph graph;
   Outline outline;
   std::vector<Curve_cells::Doubt> doubts;

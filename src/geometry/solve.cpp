@@ -88,34 +88,35 @@ Polynomial<Integer, 2> square_free(const Polynomial<Rational, 2>& f, const char*
 } // namespace
 
 Plane_zeros solve(const Polynomial<Rational, 2>& f, const Polynomial<Rational, 2>& g,
-                  const std::optional<Rational_box<2>>& box, const Checkpoint& checkpoint)
+                  const std::optional<Rational_box<2>>& box, const Run_options& run)
 {
   if (f.is_zero() || g.is_zero())
     throw Invalid_input(
         "solve: a polynomial is zero, so that the zeros are those of the other one; expected two that are not");
   auto parts = exact::common_factor(integer_primitive(f), integer_primitive(g));
-  auto zeros = common_zeros(parts.f, parts.g, box, checkpoint);
+  auto zeros = common_zeros(parts.f, parts.g, box, checkpoint_of(run, "solve"));
   if (!parts.divisor.is_constant())
     std::erase_if(zeros, [&](exact::Projected_zero& zero) { return zero.sign_of(parts.divisor) == 0; });
   return {points(std::move(zeros), parts.f, parts.g), parts.divisor};
 }
 
 std::vector<Real_root> solve(const Polynomial<Rational, 1>& f, const std::optional<Rational_interval>& interval,
-                             const Checkpoint& checkpoint)
+                             const Run_options& run)
 {
   const auto p = integer_polynomial(f);
-  return interval ? isolate_real_roots(p, *interval, checkpoint) : isolate_real_roots(p, checkpoint);
+  return interval ? isolate_real_roots(p, *interval, checkpoint_of(run, "solve"))
+                  : isolate_real_roots(p, checkpoint_of(run, "solve"));
 }
 
 std::vector<Singular_point> singular_points(const Polynomial<Rational, 2>& f, const std::optional<Rational_box<2>>& box,
-                                            const Checkpoint& checkpoint)
+                                            const Run_options& run)
 {
   const auto curve = square_free(f, "singular_points");
   std::vector<Singular_point> result;
   for (const long shear : exact::shears) {
     const auto slope = derivative(curve, 1) - Integer(shear) * derivative(curve, 0);
     if (curve.is_constant() || slope.is_constant()) return result;
-    auto found = exact::projected_zeros(curve, slope, shear, box, 2, checkpoint);
+    auto found = exact::projected_zeros(curve, slope, shear, box, 2, checkpoint_of(run, "solve"));
     if (!found) continue;
     std::erase_if(found->zeros, [](const auto& zero) { return zero.multiplicity() <= zero.fibre_degree(); });
     for (auto& point : points(std::move(found->zeros), curve, slope)) {
@@ -128,12 +129,12 @@ std::vector<Singular_point> singular_points(const Polynomial<Rational, 2>& f, co
 }
 
 std::vector<Algebraic_point> tangent_points(const Polynomial<Rational, 2>& f, std::size_t axis,
-                                            const std::optional<Rational_box<2>>& box, const Checkpoint& checkpoint)
+                                            const std::optional<Rational_box<2>>& box, const Run_options& run)
 {
   const auto curve = transform<Rational>(square_free(f, "tangent_points"), rational);
   const auto along = derivative(curve, axis);
   if (curve.is_constant() || along.is_zero()) return {};
-  auto found = solve(curve, along, box, checkpoint).points;
+  auto found = solve(curve, along, box, run).points;
   const auto across = derivative(curve, 1 - axis);
   std::erase_if(found, [&](const Algebraic_point& point) { return point.sign_of(across) == 0; });
   return found;

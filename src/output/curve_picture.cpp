@@ -15,7 +15,7 @@ constexpr Colour hit_colour{0, 0, 0};
 constexpr Colour unknown_colour{0.835, 0.369, 0}; // half as bright as white also in grey
 
 // Cells with one verdict, as vertical runs: far fewer rectangles than cells.
-void draw_cells(const Canvas& canvas, const Curve_frame& layout, const Cell_set<2>& cells, Verdict wanted)
+void draw_cells(const Canvas& canvas, const Curve_frame& layout, const Raster<2>& cells, Verdict wanted)
 {
   cairo_t* const context = canvas.context();
   Cell<2> start{};
@@ -41,36 +41,35 @@ void draw_cells(const Canvas& canvas, const Curve_frame& layout, const Cell_set<
   cairo_set_antialias(context, CAIRO_ANTIALIAS_DEFAULT);
 }
 
-void draw_curve(std::ostream& out, Canvas::Kind kind, const Grid<2>& grid, const Cell_set<2>& cells,
-                const Output_options& options)
+void draw_curve(std::ostream& out, Canvas::Kind kind, const Raster<2>& raster, const Output_options& options)
 {
   require_drawable(options);
-  const Curve_frame layout(grid.box(), grid.resolution(), options.size);
-  const Coarse_view<2> view = coarsen(grid, cells, layout.drawn);
+  const Curve_frame layout(raster.grid().box(), raster.grid().resolution(), options.size);
+  const Raster<2> view = coarsen(raster, layout.drawn);
   Canvas canvas(out, kind, layout.width(), layout.height());
   cairo_set_font_size(canvas.context(), layout.font);
   const bool alike = options.colouring == Colouring::plotted;
   canvas.set(alike ? hit_colour : unknown_colour);
-  draw_cells(canvas, layout, view.cells, Verdict::unknown);
+  draw_cells(canvas, layout, view, Verdict::unknown);
   canvas.set(hit_colour);
-  draw_cells(canvas, layout, view.cells, Verdict::hit);
+  draw_cells(canvas, layout, view, Verdict::hit);
   if (!alike)
-    draw_legend(canvas, layout.left, layout.top - 0.9 * layout.font, layout.font, cells.hit(), hit_colour,
-                cells.unknown(), unknown_colour);
+    draw_legend(canvas, layout.left, layout.top - 0.9 * layout.font, layout.font, raster.hit(), hit_colour,
+                raster.unknown(), unknown_colour);
   layout.draw(canvas, options);
   canvas.finish();
 }
 
 } // namespace
 
-void draw_curve_png(std::ostream& out, const Grid<2>& grid, const Cell_set<2>& cells, const Output_options& options)
+void draw_curve_png(std::ostream& out, const Raster<2>& raster, const Output_options& options)
 {
-  draw_curve(out, Canvas::Kind::png, grid, cells, options);
+  draw_curve(out, Canvas::Kind::png, raster, options);
 }
 
-void draw_curve_svg(std::ostream& out, const Grid<2>& grid, const Cell_set<2>& cells, const Output_options& options)
+void draw_curve_svg(std::ostream& out, const Raster<2>& raster, const Output_options& options)
 {
-  draw_curve(out, Canvas::Kind::svg, grid, cells, options);
+  draw_curve(out, Canvas::Kind::svg, raster, options);
 }
 
 } // namespace corral

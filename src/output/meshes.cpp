@@ -30,26 +30,25 @@ Square face(const Cell<3>& cell, std::size_t axis, bool upper)
 
 // Calls visit(square, verdict) for every face of a plotted cell that no plotted cell covers.
 template <class Visitor>
-void for_each_exposed_face(const Grid<3>& grid, const Cell_set<3>& cells, Visitor&& visit)
+void for_each_exposed_face(const Raster<3>& raster, Visitor&& visit)
 {
-  cells.for_each([&](const Cell<3>& cell, Verdict verdict) {
+  for (const auto& [cell, verdict] : raster)
     for (std::size_t axis = 0; axis < 3; ++axis)
       for (const bool upper : {false, true}) {
-        const bool outermost = upper ? cell[axis] + 1 == grid.resolution()[axis] : cell[axis] == 0;
+        const bool outermost = upper ? cell[axis] + 1 == raster.grid().resolution()[axis] : cell[axis] == 0;
         Cell<3> neighbour = cell;
         neighbour[axis] += upper ? 1U : ~0U;
-        if (outermost || cells.at(neighbour) == Verdict::empty) visit(face(cell, axis, upper), verdict);
+        if (outermost || raster.verdict(neighbour) == Verdict::empty) visit(face(cell, axis, upper), verdict);
       }
-  });
 }
 
 // The exposed faces of a set with shared vertices, numbered in lexicographic order.
 class Mesh
 {
 public:
-  Mesh(const Grid<3>& grid, const Cell_set<3>& cells) : grid_(grid), cells_(cells)
+  explicit Mesh(const Raster<3>& raster) : raster_(raster)
   {
-    for_each_exposed_face(grid, cells, [&](const Square& square, Verdict) {
+    for_each_exposed_face(raster, [&](const Square& square, Verdict) {
       vertices_.insert(vertices_.end(), square.begin(), square.end());
       ++faces_;
     });
@@ -64,10 +63,11 @@ public:
   {
     std::array<std::array<double, 2>, 3> side;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      side[axis] = {grid_.box()[axis].lower().get_d(), grid_.box()[axis].upper().get_d()};
+      side[axis] = {raster_.grid().box()[axis].lower().get_d(), raster_.grid().box()[axis].upper().get_d()};
     for (const Vertex& vertex : vertices_)
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double at = std::lerp(side[axis][0], side[axis][1], double(vertex[axis]) / grid_.resolution()[axis]);
+        const double at =
+            std::lerp(side[axis][0], side[axis][1], double(vertex[axis]) / raster_.grid().resolution()[axis]);
         char text[32];
         const char* const end = std::to_chars(text, text + sizeof text, at).ptr;
         out << std::string_view(text, static_cast<std::size_t>(end - text)) << (axis < 2 ? ' ' : '\n');
@@ -78,7 +78,7 @@ public:
   template <class Suffix>
   void write_faces(std::ostream& out, const Suffix& suffix) const
   {
-    for_each_exposed_face(grid_, cells_, [&](const Square& square, Verdict verdict) {
+    for_each_exposed_face(raster_, [&](const Square& square, Verdict verdict) {
       out << '4';
       for (const Vertex& vertex : square)
         out << ' ' << std::lower_bound(vertices_.begin(), vertices_.end(), vertex) - vertices_.begin();
@@ -88,13 +88,11 @@ public:
 
   void write_verdicts(std::ostream& out) const
   {
-    for_each_exposed_face(grid_, cells_,
-                          [&](const Square&, Verdict verdict) { out << static_cast<int>(verdict) << '\n'; });
+    for_each_exposed_face(raster_, [&](const Square&, Verdict verdict) { out << static_cast<int>(verdict) << '\n'; });
   }
 
 private:
-  const Grid<3>& grid_;
-  const Cell_set<3>& cells_;
+  const Raster<3>& raster_;
   std::vector<Vertex> vertices_;
   std::size_t faces_ = 0;
 };
@@ -104,17 +102,17 @@ std::string_view colour(Verdict verdict) { return verdict == Verdict::hit ? " 19
 
 } // namespace
 
-void write_off(std::ostream& out, const Grid<3>& grid, const Cell_set<3>& cells, const Output_options&)
+void write_off(std::ostream& out, const Raster<3>& raster, const Output_options&)
 {
-  const Mesh mesh(grid, cells);
+  const Mesh mesh(raster);
   out << "OFF\n" << mesh.vertices() << ' ' << mesh.faces() << " 0\n";
   mesh.write_vertices(out);
   mesh.write_faces(out, colour);
 }
 
-void write_ply(std::ostream& out, const Grid<3>& grid, const Cell_set<3>& cells, const Output_options&)
+void write_ply(std::ostream& out, const Raster<3>& raster, const Output_options&)
 {
-  const Mesh mesh(grid, cells);
+  const Mesh mesh(raster);
   out << "ply\nformat ascii 1.0\ncomment cells that are not empty; colour: hit light blue, unknown orange\n"
       << "element vertex " << mesh.vertices() << "\nproperty double x\nproperty double y\nproperty double z\n"
       << "element face " << mesh.faces() << "\nproperty list uchar int vertex_indices\n"
@@ -123,9 +121,9 @@ void write_ply(std::ostream& out, const Grid<3>& grid, const Cell_set<3>& cells,
   mesh.write_faces(out, colour);
 }
 
-void write_vtk(std::ostream& out, const Grid<3>& grid, const Cell_set<3>& cells, const Output_options&)
+void write_vtk(std::ostream& out, const Raster<3>& raster, const Output_options&)
 {
-  const Mesh mesh(grid, cells);
+  const Mesh mesh(raster);
   out << "# vtk DataFile Version 3.0\ncells that are not empty; verdict: 1 unknown, 2 hit\nASCII\nDATASET POLYDATA\n"
       << "POINTS " << mesh.vertices() << " double\n";
   mesh.write_vertices(out);

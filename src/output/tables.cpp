@@ -39,8 +39,9 @@ private:
 };
 
 template <std::size_t D>
-nlohmann::ordered_json summary(const Grid<D>& grid, const Cell_set<D>& cells, const Output_options& options)
+nlohmann::ordered_json summary(const Raster<D>& raster, const Output_options& options)
 {
+  const Grid<D>& grid = raster.grid();
   nlohmann::ordered_json result;
   for (std::size_t axis = 0; axis < D; ++axis) {
     const auto& side = grid.box()[axis];
@@ -50,9 +51,10 @@ nlohmann::ordered_json summary(const Grid<D>& grid, const Cell_set<D>& cells, co
   result["resolution"] = grid.resolution();
   for (const auto& [name, fact] : options.facts)
     std::visit([&, &key = name](const auto& value) { result[key] = value; }, fact);
-  result["plotted"] = cells.plotted();
-  result["hit"] = cells.hit();
-  result["unknown"] = cells.unknown();
+  result["plotted"] = raster.plotted();
+  result["hit"] = raster.hit();
+  result["unknown"] = raster.unknown();
+  if (raster.was_stopped()) result["not_visited"] = raster.unvisited_cells();
   return result;
 }
 
@@ -80,7 +82,7 @@ std::string dump(const nlohmann::ordered_json& value)
 } // namespace
 
 template <std::size_t D>
-void write_csv(std::ostream& out, const Grid<D>&, const Cell_set<D>& cells, const Output_options& options)
+void write_csv(std::ostream& out, const Raster<D>& raster, const Output_options& options)
 {
   static_assert(D <= 8, "one letter an axis");
   for (std::size_t axis = 0; axis < D; ++axis) out << static_cast<char>('i' + axis) << ',';
@@ -88,7 +90,7 @@ void write_csv(std::ostream& out, const Grid<D>&, const Cell_set<D>& cells, cons
   Note_reader notes(options);
   out << (with_rungs ? "verdict,rung\n" : "verdict\n");
   Index_text<D> text;
-  cells.for_each_sorted([&](const Cell<D>& cell, Verdict verdict) {
+  raster.for_each_sorted([&](const Cell<D>& cell, Verdict verdict) {
     out << text(cell) << to_string(verdict);
     if (const auto* note = notes.next(); note != nullptr && with_rungs) out << ',' << note->rung;
     out << '\n';
@@ -96,15 +98,15 @@ void write_csv(std::ostream& out, const Grid<D>&, const Cell_set<D>& cells, cons
 }
 
 template <std::size_t D>
-void write_json(std::ostream& out, const Grid<D>& grid, const Cell_set<D>& cells, const Output_options& options)
+void write_json(std::ostream& out, const Raster<D>& raster, const Output_options& options)
 {
-  std::string head = dump(summary(grid, cells, options));
+  std::string head = dump(summary(raster, options));
   head.pop_back(); // the closing brace: the cells are streamed, not held
   out << head << ",\"cells\":[";
   Index_text<D> text;
   const char* separator = "\n[";
   Note_reader notes(options);
-  cells.for_each_sorted([&](const Cell<D>& cell, Verdict verdict) {
+  raster.for_each_sorted([&](const Cell<D>& cell, Verdict verdict) {
     out << separator << text(cell) << '"' << to_string(verdict) << '"';
     if (const auto* note = notes.next()) {
       out << ',' << dump(note->rung);
@@ -117,39 +119,39 @@ void write_json(std::ostream& out, const Grid<D>& grid, const Cell_set<D>& cells
 }
 
 template <std::size_t D>
-void write_summary(std::ostream& out, const Grid<D>& grid, const Cell_set<D>& cells, const Output_options& options)
+void write_summary(std::ostream& out, const Raster<D>& raster, const Output_options& options)
 {
-  out << dump(summary(grid, cells, options)) << '\n';
+  out << dump(summary(raster, options)) << '\n';
 }
 
 template <std::size_t D>
-void write_text(std::ostream& out, const Grid<D>& grid, const Cell_set<D>& cells, const Output_options& options)
+void write_text(std::ostream& out, const Raster<D>& raster, const Output_options& options)
 {
   Resolution<D> limit;
   limit.fill(D <= 2 ? 128 : 32);
-  const Coarse_view<D> view = coarsen(grid, cells, limit);
-  const std::uint32_t height = D == 1 ? 1 : view.resolution[1 % D];
+  const Raster<D> view = coarsen(raster, limit);
+  const Resolution<D>& resolution = view.grid().resolution();
+  const std::uint32_t height = D == 1 ? 1 : resolution[1 % D];
   std::uint32_t slices = 1;
-  for (std::size_t axis = 2; axis < D; ++axis) slices *= view.resolution[axis];
+  for (std::size_t axis = 2; axis < D; ++axis) slices *= resolution[axis];
   for (std::uint32_t slice = 0; slice < slices; ++slice) {
     Cell<D> cell{};
     std::uint32_t rest = slice;
-    for (std::size_t axis = D; axis-- > 2; rest /= view.resolution[axis]) cell[axis] = rest % view.resolution[axis];
+    for (std::size_t axis = D; axis-- > 2; rest /= resolution[axis]) cell[axis] = rest % resolution[axis];
     for (std::size_t axis = 2; axis < D; ++axis)
       out << "slice " << axis_name(options, axis) << ' ' << cell[axis] << (axis + 1 < D ? ", " : "\n");
     for (std::uint32_t row = height; row-- > 0; out << '\n') {
       if (D > 1) cell[1 % D] = row;
-      for (cell[0] = 0; cell[0] < view.resolution[0]; ++cell[0])
-        out << ".?#"[static_cast<std::size_t>(view.cells.at(cell))];
+      for (cell[0] = 0; cell[0] < resolution[0]; ++cell[0]) out << ".?#"[static_cast<std::size_t>(view.verdict(cell))];
     }
   }
 }
 
 #define CORRAL_INSTANTIATE(D)                                                                                          \
-  template void write_csv<D>(std::ostream&, const Grid<D>&, const Cell_set<D>&, const Output_options&);                \
-  template void write_json<D>(std::ostream&, const Grid<D>&, const Cell_set<D>&, const Output_options&);               \
-  template void write_summary<D>(std::ostream&, const Grid<D>&, const Cell_set<D>&, const Output_options&);            \
-  template void write_text<D>(std::ostream&, const Grid<D>&, const Cell_set<D>&, const Output_options&);
+  template void write_csv<D>(std::ostream&, const Raster<D>&, const Output_options&);                                  \
+  template void write_json<D>(std::ostream&, const Raster<D>&, const Output_options&);                                 \
+  template void write_summary<D>(std::ostream&, const Raster<D>&, const Output_options&);                              \
+  template void write_text<D>(std::ostream&, const Raster<D>&, const Output_options&);
 CORRAL_INSTANTIATE(1)
 CORRAL_INSTANTIATE(2)
 CORRAL_INSTANTIATE(3)

@@ -160,19 +160,19 @@ void draw_axes(const Canvas& canvas, const Projection& project, const std::array
 class Voxel_painter
 {
 public:
-  Voxel_painter(const Canvas& canvas, const Projection& project, const Coarse_view<3>& view, bool alike)
+  Voxel_painter(const Canvas& canvas, const Projection& project, const Raster<3>& view, bool alike)
       : canvas_(canvas), project_(project), view_(view), alike_(alike)
   {
-    double smallest = project.length(0) / view.resolution[0];
+    double smallest = project.length(0) / view.grid().resolution()[0];
     for (std::size_t axis = 1; axis < 3; ++axis)
-      smallest = std::min(smallest, project.length(axis) / view.resolution[axis]);
+      smallest = std::min(smallest, project.length(axis) / view.grid().resolution()[axis]);
     line_width_ = smallest < 5 ? 0 : std::min(1.0, smallest / 16);
   }
 
   void draw() const
   {
     std::vector<std::pair<Cell<3>, Verdict>> order;
-    view_.cells.for_each([&](const Cell<3>& cell, Verdict verdict) { order.emplace_back(cell, verdict); });
+    for (const auto& [cell, verdict] : view_) order.emplace_back(cell, verdict);
     // Far to near along every axis: any such order is a painter's order for cubes of one grid.
     std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
       if (a.first[1] != b.first[1]) return a.first[1] > b.first[1];
@@ -190,18 +190,18 @@ private:
 
   void draw_face(const Cell<3>& cell, Verdict verdict, std::size_t axis) const
   {
-    const bool outermost = sees_upper[axis] ? cell[axis] + 1 == view_.resolution[axis] : cell[axis] == 0;
+    const bool outermost = sees_upper[axis] ? cell[axis] + 1 == view_.grid().resolution()[axis] : cell[axis] == 0;
     Cell<3> neighbour = cell;
     neighbour[axis] += sees_upper[axis] ? 1U : ~0U;
-    if (!outermost && view_.cells.at(neighbour) != Verdict::empty) return;
+    if (!outermost && view_.verdict(neighbour) != Verdict::empty) return;
 
     const std::size_t second = (axis + 1) % 3;
     const std::size_t third = (axis + 2) % 3;
     Vector low;
     Vector high;
     for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = double(cell[k]) / view_.resolution[k];
-      high[k] = double(cell[k] + 1) / view_.resolution[k];
+      low[k] = double(cell[k]) / view_.grid().resolution()[k];
+      high[k] = double(cell[k] + 1) / view_.grid().resolution()[k];
     }
     Vector corner = low;
     if (sees_upper[axis]) corner[axis] = high[axis];
@@ -239,22 +239,22 @@ private:
 
   const Canvas& canvas_;
   const Projection& project_;
-  const Coarse_view<3>& view_;
+  const Raster<3>& view_;
   bool alike_;
   double line_width_ = 0;
 };
 
 } // namespace
 
-void draw_voxels_png(std::ostream& out, const Grid<3>& grid, const Cell_set<3>& cells, const Output_options& options)
+void draw_voxels_png(std::ostream& out, const Raster<3>& raster, const Output_options& options)
 {
   require_drawable(options);
   const double font = options.size / 42.0;
-  const Projection project(proportions(grid.box()), options.size, font);
+  const Projection project(proportions(raster.grid().box()), options.size, font);
   const std::uint32_t finest = std::max(32U, options.size / 2);
-  const Coarse_view<3> view = coarsen(grid, cells, {finest, finest, finest});
+  const Raster<3> view = coarsen(raster, {finest, finest, finest});
   std::array<std::vector<Tick>, 3> marks;
-  for (std::size_t axis = 0; axis < 3; ++axis) marks[axis] = ticks(grid.box()[axis], 4);
+  for (std::size_t axis = 0; axis < 3; ++axis) marks[axis] = ticks(raster.grid().box()[axis], 4);
 
   Canvas canvas(out, Canvas::Kind::png, project.width(), project.height());
   draw_walls(canvas, project, marks);
@@ -264,7 +264,7 @@ void draw_voxels_png(std::ostream& out, const Grid<3>& grid, const Cell_set<3>& 
   cairo_select_font_face(canvas.context(), "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(canvas.context(), font);
   if (!alike)
-    draw_legend(canvas, 0.8 * font, 1.2 * font, font, cells.hit(), hit_colour, cells.unknown(), unknown_colour);
+    draw_legend(canvas, 0.8 * font, 1.2 * font, font, raster.hit(), hit_colour, raster.unknown(), unknown_colour);
   canvas.finish();
 }
 

@@ -15,11 +15,11 @@ Progress::~Progress()
   bar_is_shown(false);
 }
 
-bool Progress::operator()(double done)
+void Progress::operator()(double done)
 {
-  if (interrupted_by() != 0) return false;
+  if (interrupted_by() != 0) stop_.request_stop();
   const auto now = Clock::now();
-  if (!is_terminal_ || now < next_) return true;
+  if (!is_terminal_ || now < next_) return;
   next_ = now + std::chrono::milliseconds(100);
   is_shown_ = true;
   bar_is_shown(true);
@@ -31,7 +31,6 @@ bool Progress::operator()(double done)
   const std::string name = what_ + (part_.empty() ? "" : ": " + part_);
   std::fprintf(stderr, "\r\033[K%s [%s] %3.0f%%  %.0f s", name.c_str(), bar.c_str(), 100 * done, seconds);
   std::fflush(stderr);
-  return true;
 }
 
 } // namespace corral::program

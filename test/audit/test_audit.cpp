@@ -11,6 +11,8 @@
 #include <corral/polynomial/evaluate.h>
 #include <corral/polynomial/parse.h>
 
+#include "stopping_run.h"
+
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -116,14 +118,13 @@ TEST(Audit, unbounded_is_no_escape_but_no_number_is)
 
 TEST(Audit, stops_when_told)
 {
-  int calls = 0;
-  const auto progress = [&](double share) {
-    EXPECT_TRUE(0 <= share && share <= 1);
-    return ++calls <= 5;
-  };
-  EXPECT_EQ((audit_bounder<Horner_bounder<I, 1>>({.cases = 100, .progress = progress}).cases), 5U);
-  calls = 0;
-  EXPECT_EQ(audit_number<I>({.cases = 100, .progress = progress}).cases, 5U);
+  const auto of_bounder = audit_bounder<Horner_bounder<I, 1>>({.cases = 100}, test::stopping_at(6));
+  EXPECT_EQ(of_bounder.cases, 5U);
+  EXPECT_TRUE(of_bounder.was_stopped);
+  const auto of_number = audit_number<I>({.cases = 100}, test::stopping_at(6));
+  EXPECT_EQ(of_number.cases, 5U);
+  EXPECT_TRUE(of_number.was_stopped);
+  EXPECT_FALSE(audit_number<I>({.cases = 100}, test::stopping_at(101)).was_stopped);
 }
 
 TEST(Audit, tightness_is_at_least_1)

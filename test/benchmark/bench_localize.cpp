@@ -3,12 +3,13 @@
 #include "cases.h"
 #include "interval_access.h"
 
-#include <corral/localization/localize_fast.h>
+#include <corral/localization/localize.h>
 
 #include <benchmark/benchmark.h>
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace corral::benchmark {
 namespace {
@@ -19,21 +20,21 @@ using ::benchmark::State;
 template <std::size_t D>
 void time_fast(State& state, const std::vector<Problem<D>>& problems, std::uint32_t n, unsigned threads)
 {
-  Fast_options options;
+  Run_options options;
   options.threads = threads;
-  std::vector<Localization<D>> results(problems.size());
+  std::vector<std::optional<Raster<D>>> results(problems.size());
   for (auto _ : state)
     for (std::size_t k = 0; k < problems.size(); ++k) {
-      results[k] = {};
-      results[k] = localize_fast(problems[k].f, grid_of(problems[k], n), options);
+      results[k].reset();
+      results[k] = localize(problems[k].f, grid_of(problems[k], n), options);
     }
   std::uint64_t cells = 0;
   std::uint64_t hits = 0;
   std::uint64_t bytes = 0;
   for (const auto& result : results) {
-    cells += result.cells.plotted();
-    hits += result.cells.hit();
-    bytes += result.cells.blocks().size() * sizeof(Cell_block<D>);
+    cells += result->plotted();
+    hits += result->hit();
+    bytes += result->blocks().size() * sizeof(Cell_block<D>);
   }
   state.counters["cells"] = static_cast<double>(cells);
   state.counters["hits"] = static_cast<double>(hits);

@@ -53,10 +53,10 @@ int main(int argc, char** argv)
   std::printf("%-16s %10s %10s %8s %9s\n", "curve", "CGAL", "mesh", "ratio", "vertices");
   for (const auto& [name, f, box, components, closed, isolated] : cases()) {
     const double cgal = median(1, [&f = f] { (void)test::cgal_topology(square_free_part(f)); });
-    const Mesh_options options{Rational((box[0].upper() - box[0].lower()) / 1000)};
+    const Rational tolerance = (box[0].upper() - box[0].lower()) / 1000;
     std::size_t vertices = 0;
     const double mesh =
-        median(repetitions, [&, &f = f, &box = box] { vertices = mesh_curve(f, box, options).vertices.size(); });
+        median(repetitions, [&, &f = f, &box = box] { vertices = mesh_curve(f, box, tolerance).vertices.size(); });
     all_cgal += cgal;
     all_meshes += mesh;
     std::printf("%-16s %10.2f %10.2f %8.1f %9zu\n", name.c_str(), cgal, mesh, cgal / mesh, vertices);

@@ -4,7 +4,7 @@
 // `coefficient i j k`.
 #include "cases.h"
 
-#include <corral/localization/localize_fast.h>
+#include <corral/localization/localize.h>
 
 #include <chrono>
 #include <cstdio>
@@ -54,19 +54,18 @@ int run(const std::vector<benchmark::Problem<D>>& problems, std::uint32_t n, uns
     longest = std::max(longest, std::chrono::duration<double>(now - last).count());
     last = now;
   };
-  Fast_options options;
+  Run_options options;
   options.threads = threads;
   if (std::getenv("CORRAL_WATCH") != nullptr)
     options.progress = [&](double) {
       ++calls;
       lap();
-      return true;
     };
   const auto start = last;
   for (const auto& problem : problems) {
-    const auto result = localize_fast(problem.f, benchmark::grid_of(problem, n), options);
-    cells += result.cells.plotted();
-    hits += result.cells.hit();
+    const auto result = localize(problem.f, benchmark::grid_of(problem, n), options);
+    cells += result.plotted();
+    hits += result.hit();
   }
   lap();
   std::printf("{\"cells\": %llu, \"hits\": %llu, \"seconds\": %.4f, \"peak_bytes\": %ld, \"progress_calls\": %u, "

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rounds.h"
 
+#include <corral/algebra/exact_range.h>
 #include <corral/audit/Trouble_source.h>
 #include <corral/audit/audit_cases.h>
 #include <corral/bounders/Any_bounder.h>
 #include <corral/bounders/all.h>
+#include <corral/bounders/enclose_range.h>
 #include <corral/errors.h>
 #include <corral/number/Outward_interval.h>
 #include <corral/number/Rational_interval.h>
+#include <corral/polynomial/parse.h>
 #include <corral/polynomial/substitution.h>
 
 #include <gtest/gtest.h>
@@ -202,6 +205,18 @@ TEST(Bounders, take_the_zero_polynomial)
     using B = typename decltype(bounder)::type;
     expect_range(B(Polynomial<Exact, 2>()).bound({Exact(-1, 2), Exact(0, 1)}), 0, 0, B::name);
   });
+}
+
+TEST(Enclose_range, contains_the_range_of_a_polynomial_in_one_line)
+{
+  const auto f = parse_polynomial<2>("x^2*y - x/3 + 1/7", {"x", "y"});
+  const Rational_box<2> box{Rational_interval(-1, 1), Rational_interval(Rational(1, 3), Rational(2, 3))};
+  const auto range = exact_range(f, box, Rational(1, 1000)).inner;
+  const auto bound = enclose_range(f, box);
+  EXPECT_TRUE(contains(bound, range.lower()) && contains(bound, range.upper()));
+  EXPECT_FALSE(contains(bound, Rational(range.upper() + 3)));
+  const auto exact = enclose_range<Bernstein_bounder<Rational_interval, 2>>(f, box);
+  EXPECT_TRUE(exact.lower() <= range.lower() && range.upper() <= exact.upper());
 }
 
 } // namespace

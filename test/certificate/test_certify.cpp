@@ -9,6 +9,8 @@
 #include <corral/polynomial/square_free.h>
 #include <corral_check/check.h>
 
+#include "stopping_run.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -234,15 +236,11 @@ TEST(Certify, is_small_on_the_paper_s_curves)
 
 TEST(Certify, keeps_what_it_has_proved_when_stopped)
 {
-  int boxes = 0;
-  Certify_options options;
-  options.progress = [&](double done) {
-    EXPECT_LE(done, 1);
-    return ++boxes < 30;
-  };
-  const auto certificate = certify(parse_polynomial<2>("x^2 + y^2 - 1", names<2>()), cube<2>("-2", "2", 16), options);
+  const auto certificate =
+      certify(parse_polynomial<2>("x^2 + y^2 - 1", names<2>()), cube<2>("-2", "2", 16), test::stopping_at(30));
   EXPECT_GT(certificate.unknown, 0U);
   EXPECT_GT(certificate.empty + certificate.hit, 0U);
+  EXPECT_EQ(certificate.reasons, std::vector<std::string>{"stopped before it was decided"});
   EXPECT_EQ(check(to_json(certificate, names<2>())).unknown, certificate.unknown);
 }
 
@@ -303,10 +301,8 @@ TEST(Certify, proofs_of_systems_are_not_interchangeable)
 
 TEST(Certify, gives_up_with_a_reason_when_boxes_run_out)
 {
-  Certify_options options;
-  options.max_boxes = 4;
-  const auto certificate =
-      certify(parse_polynomial<2>("(x - 1/3)^2 + (y - 1/5)^2 + 1e-30", names<2>()), cube<2>("0", "1", 2), options);
+  const auto certificate = certify(parse_polynomial<2>("(x - 1/3)^2 + (y - 1/5)^2 + 1e-30", names<2>()),
+                                   cube<2>("0", "1", 2), {}, {.max_boxes = 4});
   EXPECT_EQ(certificate.unknown, 1U);
   ASSERT_EQ(certificate.reasons.size(), 1U);
   EXPECT_EQ(check(to_json(certificate, names<2>())).unknown, 1U);

@@ -2,10 +2,11 @@
 #ifndef CORRAL_TEST_DECISION_ALL_CELLS_H
 #define CORRAL_TEST_DECISION_ALL_CELLS_H
 
-#include <corral/localization/Cell_set.h>
+#include <corral/localization/Raster_builder.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace check {
 
@@ -13,9 +14,10 @@ using namespace corral;
 
 /// Every cell of a grid, unknown: a localisation that knows nothing.
 template <std::size_t D>
-Cell_set<D> all_cells(const Resolution<D>& resolution)
+Raster<D> all_cells(const Grid<D>& grid)
 {
-  Cell_set<D> cells;
+  const Resolution<D>& resolution = grid.resolution();
+  Raster_builder<D> cells;
   Cell<D> block{};
   const auto blocks = [&](std::size_t axis) { return (resolution[axis] + block_side<D> - 1) / block_side<D>; };
   for (;;) {
@@ -31,8 +33,7 @@ Cell_set<D> all_cells(const Resolution<D>& resolution)
     while (axis < D && ++block[axis] == blocks(axis)) block[axis++] = 0;
     if (axis == D) break;
   }
-  cells.finish();
-  return cells;
+  return std::move(cells).finish(grid, true);
 }
 
 } // namespace check

@@ -2,10 +2,12 @@
 #include "all_cells.h"
 #include "check_witness.h"
 
-#include <corral/decision/ideal_raster.h>
+#include <corral/decision/ideal_system.h>
 #include <corral/errors.h>
-#include <corral/localization/localize_fast.h>
+#include <corral/localization/localize.h>
 #include <corral/polynomial/parse.h>
+
+#include "stopping_run.h"
 
 #include <gtest/gtest.h>
 
@@ -34,18 +36,18 @@ Plot<D> plot(const std::string& text, const Rational_box<D>& box, std::uint32_t 
   side.fill(resolution);
   const Grid<D> grid(box, side);
   const auto f = parse_polynomial<D>(text, variables);
-  const auto raster = ideal_raster(f, grid, all_cells<D>(side));
+  const auto ideal = ideal_raster(f, all_cells<D>(grid));
   Cell_decider<D> decider(f, grid);
   const auto g = transform<Rational>(decider.square_free(), [](const Integer& c) { return Rational(c); });
   Plot<D> result;
-  raster.cells.for_each([&](const Cell<D>& cell, Verdict verdict) {
+  for (const auto& [cell, verdict] : ideal.raster) {
     if (verdict == Verdict::hit) {
       result.hit.insert(cell);
       EXPECT_EQ(check::complaint<D>(decider.decide(cell).witness, g, grid.cell_box(cell)), "") << text;
     } else
       ++result.unknown;
-  });
-  result.rungs = raster.rungs;
+  }
+  result.rungs = ideal.rungs;
   return result;
 }
 
@@ -233,7 +235,7 @@ using Radical_point = std::array<Radical, 3>;
 std::set<Cell<3>> cells_of(const std::vector<Radical_point>& points, const Grid<3>& grid)
 {
   std::set<Cell<3>> result;
-  check::all_cells<3>(grid.resolution()).for_each([&](const Cell<3>& cell, Verdict) {
+  check::all_cells<3>(grid).for_each_visited([&](const Cell<3>& cell, Verdict) {
     const auto box = grid.cell_box(cell);
     for (const auto& point : points) {
       bool inside = true;
@@ -364,9 +366,9 @@ TEST(Ideal_raster, knows_the_ideal_rasters_of_the_curves_of_the_paper)
   for (const auto& [text, ideal] : examples) {
     const auto f = parse_polynomial<2>(text, {"x", "y"});
     const Grid<2> grid({Rational_interval(0, 1), Rational_interval(0, 1)}, {256, 256});
-    const auto raster = ideal_raster(f, grid, localize_fast(f, grid).cells);
-    EXPECT_EQ(raster.cells.unknown(), 0U) << text;
-    EXPECT_EQ(raster.cells.hit(), ideal) << text;
+    const auto raster = ideal_raster(f, localize(f, grid)).raster;
+    EXPECT_EQ(raster.unknown(), 0U) << text;
+    EXPECT_EQ(raster.hit(), ideal) << text;
   }
 }
 
@@ -389,9 +391,9 @@ TEST(Ideal_raster, knows_the_ideal_rasters_of_the_surfaces_of_the_paper)
   for (const auto& [text, ideal] : examples) {
     const auto f = parse_polynomial<3>(text, {"x", "y", "z"});
     const Grid<3> grid({side, side, side}, {32, 32, 32});
-    const auto raster = ideal_raster(f, grid, localize_fast(f, grid).cells);
-    EXPECT_EQ(raster.cells.unknown(), 0U) << text;
-    EXPECT_EQ(raster.cells.hit(), ideal) << text;
+    const auto raster = ideal_raster(f, localize(f, grid)).raster;
+    EXPECT_EQ(raster.unknown(), 0U) << text;
+    EXPECT_EQ(raster.hit(), ideal) << text;
   }
 }
 
@@ -399,22 +401,38 @@ TEST(Ideal_raster, keeps_what_is_proved_when_stopped)
 {
   const auto f = parse_polynomial<2>("x^2+y^2-2", {"x", "y"});
   const Grid<2> grid(around, {64, 64});
-  int reports = 0;
-  Ideal_raster_options options;
-  options.progress = [&](std::uint64_t done, std::uint64_t total) {
-    EXPECT_LE(done, total);
-    return ++reports < 20;
-  };
-  const auto whole = ideal_raster(f, grid, all_cells<2>({64, 64})).cells;
-  const auto raster = ideal_raster(f, grid, all_cells<2>({64, 64}), options);
-  EXPECT_GT(raster.cells.unknown(), 0U);
-  EXPECT_EQ(raster.reasons.size(), 1U);
-  raster.cells.for_each([&](const Cell<2>& cell, Verdict verdict) {
+  const auto whole = ideal_raster(f, all_cells<2>(grid)).raster;
+  EXPECT_FALSE(whole.was_stopped());
+  const auto stopped = ideal_raster(f, all_cells<2>(grid), test::stopping_at(20));
+  const auto& raster = stopped.raster;
+  EXPECT_TRUE(raster.was_stopped());
+  EXPECT_GT(raster.unknown(), 0U);
+  EXPECT_EQ(stopped.reasons.size(), 1U);
+  for (const auto& [cell, verdict] : raster)
     if (verdict == Verdict::hit) {
-      EXPECT_EQ(whole.at(cell), Verdict::hit);
+      EXPECT_EQ(whole.verdict(cell), Verdict::hit);
     }
-  });
-  whole.for_each([&](const Cell<2>& cell, Verdict) { EXPECT_NE(raster.cells.at(cell), Verdict::empty); });
+  for (const auto& [cell, verdict] : whole) EXPECT_NE(raster.verdict(cell), Verdict::empty);
+}
+
+TEST(Ideal_raster, takes_cells_that_were_not_visited_for_unknown)
+{
+  const auto f = parse_polynomial<2>("x^2+y^2-2", {"x", "y"});
+  const Grid<2> grid(around, {64, 64});
+  Raster_builder<2> cells;
+  cells.append({9, 9}, Verdict::unknown);
+  cells.leave({{32, 0}, {64, 64}});
+  const auto ideal = ideal_raster(f, std::move(cells).finish(grid, true), {}, {.keep_rungs = true, .recheck = true});
+  EXPECT_TRUE(ideal.raster.was_stopped());
+  EXPECT_EQ(ideal.raster.unknown(), 2048U);
+  EXPECT_EQ(ideal.reasons.size(), 1U);
+  EXPECT_EQ(ideal.reasons.begin()->second, 2048U);
+  EXPECT_EQ(ideal.raster.verdict({63, 63}), Verdict::unknown);
+  std::vector<Cell<2>> told;
+  for (const auto& decided : ideal.decided) told.push_back(decided.cell);
+  std::vector<Cell<2>> plotted;
+  ideal.raster.for_each_sorted([&](const Cell<2>& cell, Verdict) { plotted.push_back(cell); });
+  EXPECT_EQ(told, plotted);
 }
 
 /// Stops a decision again and again, each time later, until it comes to an end.
@@ -457,7 +475,15 @@ TEST(Ideal_raster, decides_right_after_it_was_stopped_anywhere)
 
 TEST(Ideal_raster, refuses_the_zero_polynomial)
 {
-  EXPECT_THROW((void)ideal_raster(Polynomial<Rational, 2>(), Grid<2>(around, {4, 4}), {}), Invalid_input);
+  EXPECT_THROW((void)ideal_raster(Polynomial<Rational, 2>(), all_cells<2>(Grid<2>(around, {4, 4}))), Invalid_input);
+}
+
+TEST(Ideal_raster, refuses_candidates_that_are_not_guaranteed)
+{
+  const auto f = parse_polynomial<2>("x - y", {"x", "y"});
+  const auto nobody_knows = Raster_builder<2>().finish(Grid<2>(around, {4, 4}), false);
+  EXPECT_THROW((void)ideal_raster(f, nobody_knows), Invalid_input);
+  EXPECT_THROW((void)ideal_raster(std::vector{f, f}, nobody_knows), Invalid_input);
 }
 
 TEST(Ideal_raster, counts_the_rung_that_decided)
@@ -483,7 +509,8 @@ TEST(Ideal_raster, counts_the_rung_that_decided)
 
 /// The verdicts of all cells, unless that takes more than so many steps, each of which asks whether to go on.
 template <std::size_t D>
-Ideal_raster<D> decide_within(int steps, const std::string& text, const Rational_interval& side, std::uint32_t cells)
+Ideal_raster<D> decide_within(std::uint64_t steps, const std::string& text, const Rational_interval& side,
+                              std::uint32_t cells)
 {
   constexpr std::array<const char*, 3> names = {"x", "y", "z"};
   std::array<std::string, D> variables;
@@ -492,19 +519,17 @@ Ideal_raster<D> decide_within(int steps, const std::string& text, const Rational
   box.fill(side);
   Resolution<D> resolution;
   resolution.fill(cells);
-  Ideal_raster_options options;
-  options.progress = [&](std::uint64_t, std::uint64_t) { return steps-- > 0; };
-  return ideal_raster(parse_polynomial<D>(text, variables), Grid<D>(box, resolution), all_cells<D>(resolution),
-                      options);
+  return ideal_raster(parse_polynomial<D>(text, variables), all_cells<D>(Grid<D>(box, resolution)),
+                      test::stopping_at(steps));
 }
 
 // The gradient vanishes along the whole surface s = 0 of s^2 + r: no subdivision and no outline would end soon.
 TEST(Ideal_raster, near_misses_along_a_surface_are_seen_at_once)
 {
   for (const auto* const text : {"((x^2+y^2-z)*(x+y-z+1/3))^2+1/10^9", "(x^2+y^2+z^2-1)^2+1/10^8"}) {
-    const auto raster = decide_within<3>(2000, text, {-1, 1}, 32);
-    EXPECT_EQ(raster.cells.plotted(), 0U) << text;
-    EXPECT_GT(raster.rungs.empty[static_cast<std::size_t>(Rung::algebra)], 0U) << text;
+    const auto ideal = decide_within<3>(2000, text, {-1, 1}, 32);
+    EXPECT_EQ(ideal.raster.plotted(), 0U) << text;
+    EXPECT_GT(ideal.rungs.empty[static_cast<std::size_t>(Rung::algebra)], 0U) << text;
   }
 }
 
@@ -574,7 +599,7 @@ void expect_ball(const std::string& text, unsigned long n, const Rational_interv
   const auto f = parse_polynomial<D>(text, variables);
   Cell_decider<D> decider(f, grid);
   std::size_t open = 0;
-  localize_fast(f, grid).cells.for_each([&](const Cell<D>& cell, Verdict known) {
+  localize(f, grid).for_each_visited([&](const Cell<D>& cell, Verdict known) {
     const auto where = grid.cell_box(cell);
     const auto truth = meets_ball<D>(where, n) ? Verdict::hit : Verdict::empty;
     if (known == Verdict::hit) {
@@ -628,20 +653,20 @@ TEST(Ideal_raster, where_values_lie_beyond_doubles)
   const Rational_interval side(-2, 2);
   const Grid<2> grid({side, side}, {64, 64});
   const auto f = parse_polynomial<2>("x^1000*y^1000+x-y/3", {"x", "y"});
-  const auto candidates = localize_fast(f, grid).cells;
-  const auto raster = ideal_raster(f, grid, candidates);
-  EXPECT_EQ(raster.cells.unknown(), 0U);
+  const auto candidates = localize(f, grid);
+  const auto raster = ideal_raster(f, candidates).raster;
+  EXPECT_EQ(raster.unknown(), 0U);
   Cell_decider<2> decider(f, grid);
-  candidates.for_each([&](const Cell<2>& cell, Verdict) {
+  candidates.for_each_visited([&](const Cell<2>& cell, Verdict) {
     const auto [decision, numbers] = counted(decider, cell);
-    EXPECT_EQ(decision.verdict, raster.cells.at(cell));
+    EXPECT_EQ(decision.verdict, raster.verdict(cell));
     EXPECT_LT(numbers, 250'000U);
     if (decision.verdict == Verdict::hit) {
       EXPECT_EQ(check::complaint<2>(decision.witness, f, grid.cell_box(cell)), "");
     }
   });
-  EXPECT_EQ(raster.cells.at({32, 32}), Verdict::hit); // the origin
-  EXPECT_EQ(raster.cells.at({0, 63}), Verdict::empty);
+  EXPECT_EQ(raster.verdict({32, 32}), Verdict::hit); // the origin
+  EXPECT_EQ(raster.verdict({0, 63}), Verdict::empty);
 }
 
 // A dense form has 10^9 coefficients: a cell that needs it stays open, and the others do not.
@@ -660,26 +685,24 @@ TEST(Ideal_raster, more_coefficients_than_memory_holds_cost_one_cell)
 // The gradient is constant along x = y = -z: only the boundaries of cells are asked.
 TEST(Ideal_raster, nearly_a_power_of_a_plane)
 {
-  const auto raster = decide_within<3>(4000, "(x+y+z-1/3)^16+x/10^20", {-1, 1}, 8);
-  EXPECT_EQ(raster.cells.unknown(), 0U);
-  Rational_box<3> box;
-  box.fill(Rational_interval(-1, 1));
-  const Grid<3> grid(box, {8, 8, 8});
+  const auto raster = decide_within<3>(4000, "(x+y+z-1/3)^16+x/10^20", {-1, 1}, 8).raster;
+  EXPECT_EQ(raster.unknown(), 0U);
+  const auto& grid = raster.grid();
   // zeros are where x <= 0 and |x+y+z-1/3| = (-x/10^20)^(1/16)
-  raster.cells.for_each([&](const Cell<3>& cell, Verdict) { EXPECT_LE(grid.cell_box(cell)[0].lower(), 0); });
+  for (const auto& [cell, verdict] : raster) EXPECT_LE(grid.cell_box(cell)[0].lower(), 0);
   std::uint64_t sure = 0;
-  check::all_cells<3>({8, 8, 8}).for_each([&](const Cell<3>& cell, Verdict) {
+  check::all_cells<3>(grid).for_each_visited([&](const Cell<3>& cell, Verdict) {
     const auto sides = grid.cell_box(cell);
     const Rational least = sides[0].lower() + sides[1].lower() + sides[2].lower() - Rational(1, 3);
     const Rational most = sides[0].upper() + sides[1].upper() + sides[2].upper() - Rational(1, 3);
     const Rational far(1, 17); // 17^16 < 10^20
     const bool near = sides[0].lower() <= 0 && least <= far && most >= -far;
     if (!near) {
-      EXPECT_EQ(raster.cells.at(cell), Verdict::empty);
+      EXPECT_EQ(raster.verdict(cell), Verdict::empty);
     }
     if (sides[0].upper() <= 0 && least < -far && most > far) {
       ++sure;
-      EXPECT_EQ(raster.cells.at(cell), Verdict::hit);
+      EXPECT_EQ(raster.verdict(cell), Verdict::hit);
     }
   });
   EXPECT_GT(sure, 10U);

@@ -39,15 +39,15 @@ Plot<D> plot(const std::string& f, const std::string& g, std::uint32_t resolutio
   const Grid<D> grid(box, side);
   System_decider<D> decider(system, grid);
   Plot<D> result;
-  check::all_cells<D>(side).for_each([&](const Cell<D>& cell, Verdict) {
+  for (const auto& [cell, open] : check::all_cells<D>(grid)) {
     const auto decision = decider.decide(cell);
     result.unknown += decision.verdict == Verdict::unknown;
-    if (decision.verdict != Verdict::hit) return;
+    if (decision.verdict != Verdict::hit) continue;
     result.hit.insert(cell);
-    if (std::holds_alternative<std::monostate>(decision.witness)) return;
+    if (std::holds_alternative<std::monostate>(decision.witness)) continue;
     for (const auto& p : system)
       EXPECT_EQ(check::complaint<D>(decision.witness, p, grid.cell_box(cell)), "") << f << " and " << g;
-  });
+  }
   return result;
 }
 

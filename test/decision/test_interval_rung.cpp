@@ -154,7 +154,7 @@ TEST(Interval_rung, would_be_wrong_if_it_forgot_what_it_drops) // negative contr
 std::set<Cell<2>> cells_of_lines(const std::vector<std::array<int, 3>>& lines, const Grid<2>& grid)
 {
   std::set<Cell<2>> result;
-  check::all_cells<2>(grid.resolution()).for_each([&](const Cell<2>& cell, Verdict) {
+  check::all_cells<2>(grid).for_each_visited([&](const Cell<2>& cell, Verdict) {
     const auto box = grid.cell_box(cell);
     for (const auto& [a, b, c] : lines) {
       std::set<int> signs;
@@ -171,12 +171,12 @@ std::set<Cell<2>> cells_of_lines(const std::vector<std::array<int, 3>>& lines, c
 std::set<Cell<2>> ideal_cells(const std::string& text, const Grid<2>& grid)
 {
   const auto f = parse_polynomial<2>(text, {"x", "y"});
-  const auto raster = ideal_raster(f, grid, check::all_cells<2>(grid.resolution()));
+  const auto raster = ideal_raster(f, check::all_cells<2>(grid)).raster;
   std::set<Cell<2>> result;
-  raster.cells.for_each([&](const Cell<2>& cell, Verdict verdict) {
+  for (const auto& [cell, verdict] : raster) {
     EXPECT_EQ(verdict, Verdict::hit);
     result.insert(cell);
-  });
+  }
   return result;
 }
 
@@ -208,7 +208,7 @@ std::set<Cell<2>> cells_of_the_squircle(const Grid<2>& grid, unsigned degree)
     return result;
   };
   std::set<Cell<2>> result;
-  check::all_cells<2>(grid.resolution()).for_each([&](const Cell<2>& cell, Verdict) {
+  check::all_cells<2>(grid).for_each_visited([&](const Cell<2>& cell, Verdict) {
     Rational least = -1;
     Rational most = -1;
     for (const auto& side : grid.cell_box(cell)) {

@@ -6,10 +6,12 @@
 
 #include <corral/certificate/certificate.h>
 #include <corral/decision/ideal_system.h>
-#include <corral/localization/localize_fast.h>
+#include <corral/localization/localize.h>
 #include <corral/polynomial/evaluate.h>
 #include <corral/polynomial/parse.h>
 #include <corral/polynomial/print.h>
+
+#include "stopping_run.h"
 
 #include <gtest/gtest.h>
 
@@ -42,19 +44,17 @@ struct Problem
 };
 
 template <std::size_t D>
-Ideal_raster<D> rechecked(const Problem<D>& problem, const Cell_set<D>& cells, Ideal_raster_options options = {})
+Ideal_raster<D> rechecked(const Problem<D>& problem, const Raster<D>& cells, const Run_options& run = {})
 {
-  options.recheck = true;
   if constexpr (D > 1)
-    if (problem.system.size() > 1) return ideal_raster<D>(problem.system, problem.grid, cells, options);
-  return ideal_raster<D>(problem.system.front(), problem.grid, cells, options);
+    if (problem.system.size() > 1) return ideal_raster<D>(problem.system, cells, run, {.recheck = true});
+  return ideal_raster<D>(problem.system.front(), cells, run, {.recheck = true});
 }
 
 template <std::size_t D>
-Cell_set<D> localized(const Problem<D>& problem)
+Raster<D> localized(const Problem<D>& problem)
 {
-  return problem.system.size() == 1 ? localize_fast<D>(problem.system.front(), problem.grid).cells
-                                    : localize_fast<D>(problem.system, problem.grid).cells;
+  return localize(problem.system, problem.grid);
 }
 
 template <std::size_t D>
@@ -82,16 +82,16 @@ void confront(const Problem<D>& problem, Count& count)
 {
   SCOPED_TRACE(text_of(problem));
   const auto fast = localized(problem);
-  Ideal_raster<D> ideal;
+  Ideal_raster<D> ideal{fast};
   ASSERT_NO_THROW(ideal = rechecked(problem, fast));
   EXPECT_EQ(ideal.rechecked, problem.grid.cell_count());
-  EXPECT_EQ(ideal.cells.unknown(), 0U);
+  EXPECT_EQ(ideal.raster.unknown(), 0U);
   const auto claims = certificate_test::read_claims(to_json(certify(problem.system, problem.grid), variables<D>()));
   ASSERT_TRUE(claims);
   const auto& side = problem.grid.resolution();
   test::for_each_cell<D>(side, [&](const Cell<D>& cell) {
-    const Verdict truth = ideal.cells.at(cell);
-    const Verdict said = fast.at(cell);
+    const Verdict truth = ideal.raster.verdict(cell);
+    const Verdict said = fast.verdict(cell);
     EXPECT_TRUE(said == Verdict::unknown || said == truth);
     std::size_t index = 0;
     for (std::size_t k = 0; k < D; ++k) index = index * side[k] + cell[k];
@@ -100,7 +100,7 @@ void confront(const Problem<D>& problem, Count& count)
     count.uncertified += certified == 'u' ? 1U : 0U;
     ++count.cells;
   });
-  count.hits += ideal.cells.hit();
+  count.hits += ideal.raster.hit();
   ++count.problems;
 }
 
@@ -254,28 +254,26 @@ Problem<D> problem(const std::vector<std::string>& texts, const Rational& side, 
 
 /// The set with other verdicts for some cells.
 template <std::size_t D>
-Cell_set<D> doctored(const Cell_set<D>& cells, const Resolution<D>& resolution, const std::vector<Cell<D>>& where,
-                     Verdict verdict)
+Raster<D> doctored(const Raster<D>& cells, const std::vector<Cell<D>>& where, Verdict verdict)
 {
-  Cell_set<D> result;
-  check::all_cells<D>(resolution).for_each([&](const Cell<D>& cell, Verdict) {
+  Raster_builder<D> result;
+  check::all_cells<D>(cells.grid()).for_each_visited([&](const Cell<D>& cell, Verdict) {
     const bool is_doctored = std::find(where.begin(), where.end(), cell) != where.end();
-    const Verdict said = is_doctored ? verdict : cells.at(cell);
+    const Verdict said = is_doctored ? verdict : cells.verdict(cell);
     if (said != Verdict::empty) result.append(cell, said);
   });
-  result.finish();
-  return result;
+  return std::move(result).finish(cells.grid(), true);
 }
 
 template <std::size_t D>
 void expect_caught(const Problem<D>& problem, const std::vector<Cell<D>>& where, Verdict claimed)
 {
   SCOPED_TRACE(text_of(problem));
-  const auto& resolution = problem.grid.resolution();
-  const auto truth = rechecked(problem, check::all_cells<D>(resolution)).cells;
-  for (const auto& cell : where) ASSERT_EQ(truth.at(cell), claimed == Verdict::hit ? Verdict::empty : Verdict::hit);
+  const auto truth = rechecked(problem, check::all_cells<D>(problem.grid)).raster;
+  for (const auto& cell : where)
+    ASSERT_EQ(truth.verdict(cell), claimed == Verdict::hit ? Verdict::empty : Verdict::hit);
   try {
-    (void)rechecked(problem, doctored(truth, resolution, where, claimed));
+    (void)rechecked(problem, doctored(truth, where, claimed));
     ADD_FAILURE() << "a false raster passed";
   } catch (const Contradiction& found) {
     EXPECT_EQ(found.cell, (std::vector<std::uint32_t>(where.front().begin(), where.front().end())));
@@ -315,13 +313,11 @@ TEST(Recheck, catches_a_cell_that_is_falsely_hit)
 TEST(Recheck, costs_what_is_near_the_curve)
 {
   const auto whole = problem<2>({"x^2 + y^2 - 2"}, 2, 1U << 20); // 10^12 cells
-  Ideal_raster_options options;
-  std::uint64_t asked = 0;
-  options.progress = [&](std::uint64_t, std::uint64_t) { return ++asked < 20'000; };
-  options.recheck = true;
-  const auto none = ideal_raster<2>(parse_polynomial<2>("x^2 + y^2 - 99", {"x", "y"}), whole.grid, {}, options);
+  const test::Stopping_run run(20'000);
+  const auto none = ideal_raster<2>(parse_polynomial<2>("x^2 + y^2 - 99", {"x", "y"}),
+                                    Raster_builder<2>().finish(whole.grid, true), run.options, {.recheck = true});
   EXPECT_EQ(none.rechecked, 0x1p40);
-  EXPECT_LT(asked, 10U);
+  EXPECT_LT(*run.reports, 10U);
 }
 
 // What was not reached when it was stopped is no contradiction, and is not counted.
@@ -329,25 +325,22 @@ TEST(Recheck, stops_when_asked_to)
 {
   const auto circle = problem<2>({"x^2 + y^2 - 1"}, 2, 64);
   const auto cells = localized(circle);
-  for (const int patience : {2, 40, 100}) {
-    Ideal_raster_options options;
-    int asked = 0;
-    options.progress = [&](std::uint64_t, std::uint64_t) { return ++asked < patience; };
-    const auto raster = rechecked(circle, cells, options);
-    EXPECT_LT(raster.rechecked, 64.0 * 64.0);
-    EXPECT_EQ(raster.cells.plotted(), cells.plotted());
+  for (const std::uint64_t patience : {2U, 40U, 100U}) {
+    const auto ideal = rechecked(circle, cells, test::stopping_at(patience));
+    EXPECT_LT(ideal.rechecked, 64.0 * 64.0);
+    EXPECT_EQ(ideal.raster.plotted(), cells.plotted());
   }
   EXPECT_EQ(rechecked(circle, cells).rechecked, 64.0 * 64.0);
-  EXPECT_EQ(ideal_raster<2>(circle.system.front(), circle.grid, cells).rechecked, 0);
+  EXPECT_EQ(ideal_raster<2>(circle.system.front(), cells).rechecked, 0);
 }
 
 TEST(Recheck, decides_the_line)
 {
   const auto roots = problem<1>({"(x^2 - 2)*(x - 1/2)^2"}, 2, 8);
-  const auto raster = rechecked(roots, check::all_cells<1>({8}));
-  EXPECT_EQ(raster.rechecked, 8);
-  EXPECT_EQ(raster.cells.hit(), 4U);
-  EXPECT_THROW((void)rechecked(roots, Cell_set<1>{}), Contradiction);
+  const auto ideal = rechecked(roots, check::all_cells<1>(roots.grid));
+  EXPECT_EQ(ideal.rechecked, 8);
+  EXPECT_EQ(ideal.raster.hit(), 4U);
+  EXPECT_THROW((void)rechecked(roots, Raster_builder<1>().finish(roots.grid, true)), Contradiction);
 }
 
 } // namespace

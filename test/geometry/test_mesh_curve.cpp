@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "mesh_checks.h"
 #include "reference_curves.h"
+#include "stopping_run.h"
 
 #include <corral/errors.h>
 #include <corral/polynomial/arithmetic.h>
@@ -36,8 +37,8 @@ TEST_P(Known_curve, has_its_topology)
 {
   const Case& c = GetParam();
   const auto f = curve(c.text);
-  const Mesh_options options{Rational(1, 10)};
-  const auto mesh = mesh_curve(f, box(c.sides[0], c.sides[1], c.sides[2], c.sides[3]), options);
+  const Rational tolerance(1, 10);
+  const auto mesh = mesh_curve(f, box(c.sides[0], c.sides[1], c.sides[2], c.sides[3]), tolerance);
   EXPECT_TRUE(mesh.is_certified());
   EXPECT_EQ(mesh.components.size(), c.components);
   EXPECT_EQ(mesh.closed_components(), c.closed);
@@ -45,7 +46,7 @@ TEST_P(Known_curve, has_its_topology)
   EXPECT_EQ(mesh.singular_points(), c.singular);
   EXPECT_EQ(mesh.boundary_points(), c.boundary);
   EXPECT_EQ(test::find_crossing(mesh), "");
-  EXPECT_EQ(test::find_stray(mesh, f, options.tolerance), "");
+  EXPECT_EQ(test::find_stray(mesh, f, tolerance), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -132,11 +133,36 @@ TEST(mesh_curve, keeps_the_tolerance)
 
 TEST(mesh_curve, says_what_is_uncertain)
 {
-  Mesh_options options;
-  options.max_cells = 10;
-  const auto mesh = mesh_curve(curve("(x^2 + y^2)^2 - 2*(x^2 - y^2)"), box(-2, 2, -2, 2), options);
+  const auto mesh =
+      mesh_curve(curve("(x^2 + y^2)^2 - 2*(x^2 - y^2)"), box(-2, 2, -2, 2), Rational(1, 100), {.cell_budget = 10});
   EXPECT_FALSE(mesh.is_certified());
   EXPECT_FALSE(mesh.uncertified.front().reason.empty());
+}
+
+// The part that is certified when it is stopped is one of the whole mesh.
+TEST(mesh_curve, keeps_what_is_certified_when_stopped)
+{
+  const auto f =
+      curve("((x - 1/3)^2 + y^2)^2 - 2*((x - 1/3)^2 - y^2)*(x^3 - 2)"); // a singular point that takes algebra
+  const auto whole_box = box(-2, 2, -2, 2);
+  const Rational tolerance(1, 1000);
+  const test::Stopping_run never(~std::uint64_t{0});
+  const auto whole = mesh_curve(f, whole_box, tolerance, never.options);
+  EXPECT_TRUE(whole.is_certified());
+  ASSERT_GT(*never.reports, 4U);
+  for (std::uint64_t report = 1; report <= *never.reports; ++report) {
+    const auto mesh = mesh_curve(f, whole_box, tolerance, test::stopping_at(report));
+    EXPECT_FALSE(mesh.is_certified());
+    for (const auto& region : mesh.uncertified) EXPECT_EQ(region.reason, "stopped on request");
+    for (const auto& vertex : whole.vertices) { // each is in the mesh or in a part that is not certified
+      const auto is_same = [&](const Curve_vertex& other) { return other.point == vertex.point; };
+      const auto may_hold = [&](const Uncertified_region& region) {
+        return contains(region.box[0], vertex.point[0]) && contains(region.box[1], vertex.point[1]);
+      };
+      EXPECT_TRUE(std::any_of(mesh.vertices.begin(), mesh.vertices.end(), is_same)
+                  || std::any_of(mesh.uncertified.begin(), mesh.uncertified.end(), may_hold));
+    }
+  }
 }
 
 TEST(mesh_curve, refuses_what_it_cannot_mesh)
@@ -151,10 +177,10 @@ TEST(mesh_curve, refuses_what_it_cannot_mesh)
 TEST(mesh_checks, notice_planted_faults)
 {
   const auto f = curve("(x^2 + y^2 - 1)*(x^2 + y^2 - 4)");
-  const Mesh_options options{Rational(1, 10)};
-  const auto good = mesh_curve(f, box(-3, 3, -3, 3), options);
+  const Rational tolerance(1, 10);
+  const auto good = mesh_curve(f, box(-3, 3, -3, 3), tolerance);
   ASSERT_EQ(test::find_crossing(good), "");
-  ASSERT_EQ(test::find_stray(good, f, options.tolerance), "");
+  ASSERT_EQ(test::find_stray(good, f, tolerance), "");
 
   auto swapped = good; // two branches exchanged
   const auto start = [&](const auto& edge) -> const Curve_vertex& { return good.vertices[edge[0]]; };
@@ -164,11 +190,11 @@ TEST(mesh_checks, notice_planted_faults)
   });
   ASSERT_NE(far, swapped.edges.end());
   std::swap(swapped.edges[0][1], (*far)[1]);
-  EXPECT_TRUE(!test::find_crossing(swapped).empty() || !test::find_stray(swapped, f, options.tolerance).empty());
+  EXPECT_TRUE(!test::find_crossing(swapped).empty() || !test::find_stray(swapped, f, tolerance).empty());
 
   auto moved = good; // a vertex off the curve
   for (auto& side : moved.vertices[0].box) side += Rational_interval(Rational(1, 5));
-  EXPECT_NE(test::find_stray(moved, f, options.tolerance), "");
+  EXPECT_NE(test::find_stray(moved, f, tolerance), "");
 }
 
 } // namespace

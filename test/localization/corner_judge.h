@@ -5,7 +5,7 @@
 #include "exact_cells.h"
 #include "random_cases.h"
 
-#include <corral/localization/Cell_set.h>
+#include <corral/localization/Raster_builder.h>
 
 #include <array>
 #include <cstdint>
@@ -132,7 +132,7 @@ bool agrees(const Polynomial<Rational, D>& f, const Rational_box<D>& box, Verdic
 /// Compares all verdicts with the signs at corners, and what these leave open with exact subdivision: every hit, and
 /// each eighth cell that is empty although f is close to zero.
 template <std::size_t D>
-void judge(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid, const Cell_set<D>& cells,
+void judge(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid, const Raster<D>& cells,
            Judgement& judgement)
 {
   std::vector<Corner_signs<D>> signs;
@@ -142,7 +142,7 @@ void judge(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& gr
     if (!judgement.wrong.empty()) return;
     judgement.wrong = "cell";
     for (const auto index : cell) judgement.wrong += " " + std::to_string(index);
-    judgement.wrong += " was called " + std::string(to_string(cells.at(cell))) + " and " + truth + " on";
+    judgement.wrong += " was called " + std::string(to_string(cells.verdict(cell))) + " and " + truth + " on";
     for (std::size_t axis = 0; axis < D; ++axis)
       judgement.wrong += " [" + to_string(grid.box()[axis].lower()) + ", " + to_string(grid.box()[axis].upper())
                          + "] at " + std::to_string(grid.resolution()[axis]);
@@ -150,7 +150,7 @@ void judge(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& gr
   };
   for_each_cell<D>(grid.resolution(), [&](const Cell<D>& cell) {
     const auto facts = corner_facts(signs, cell);
-    const Verdict verdict = cells.at(cell);
+    const Verdict verdict = cells.verdict(cell);
     if (facts.is_close) ++(verdict == Verdict::unknown ? judgement.unknown : judgement.close);
     if (facts.has_zero && verdict == Verdict::empty) blame(cell, "has a zero at a corner, or corners of both signs");
     if (facts.has_zero || system.size() > 1) return;

@@ -2,7 +2,7 @@
 #ifndef CORRAL_TEST_LOCALIZATION_EXACT_CELLS_H
 #define CORRAL_TEST_LOCALIZATION_EXACT_CELLS_H
 
-#include <corral/localization/Cell_set.h>
+#include <corral/localization/Raster_builder.h>
 #include <corral/polynomial/arithmetic.h>
 #include <corral/polynomial/evaluate.h>
 #include <corral/polynomial/integer_form.h>
@@ -125,7 +125,7 @@ std::vector<std::uint32_t> cells_at(const Grid<D>& grid, std::size_t axis, const
 
 /// How many of the cells that hold a point of the box the set lacks.
 template <std::size_t D>
-std::size_t lost_cells(const Cell_set<D>& cells, const Grid<D>& grid, const std::array<Rational, D>& point)
+std::size_t lost_cells(const Raster<D>& cells, const Grid<D>& grid, const std::array<Rational, D>& point)
 {
   std::vector<Cell<D>> with_point{{}};
   for (std::size_t axis = 0; axis < D; ++axis) {
@@ -138,7 +138,7 @@ std::size_t lost_cells(const Cell_set<D>& cells, const Grid<D>& grid, const std:
     with_point = std::move(longer);
   }
   std::size_t lost = 0;
-  for (const auto& cell : with_point) lost += cells.at(cell) == Verdict::empty ? 1U : 0U;
+  for (const auto& cell : with_point) lost += cells.verdict(cell) == Verdict::empty ? 1U : 0U;
   return lost;
 }
 

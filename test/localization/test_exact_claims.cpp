@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include <corral/localization/localize_fast.h>
+#include <corral/localization/localize.h>
 #include <corral/number/Environment.h>
 #include <corral/polynomial/parse.h>
 
@@ -162,7 +162,7 @@ protected:
       const Case<D> c = path.make(random);
       if (!path.is_taken(c)) continue;
       ++cases;
-      test::judge(c.system, c.grid, localize_fast(c.system, c.grid).cells, judgement);
+      test::judge(c.system, c.grid, localize(c.system, c.grid), judgement);
     }
     RecordProperty("close_verdicts", std::to_string(judgement.close)); // --gtest_output=xml writes it down
     EXPECT_EQ(judgement.wrong, "") << path.name;
@@ -246,7 +246,7 @@ Judgement judge_seeds(std::uint64_t number, std::uint64_t least, Quantum quantum
     }
     fast::Harvest<D> harvest;
     fast::make_subdivider(plan, pulse)->run(plan.root_level - 1, seeds, 0, harvest);
-    std::vector<Cell_set<D>> found(seeds.size());
+    std::vector<Raster_builder<D>> found(seeds.size());
     for (auto block : harvest.blocks.sorted()) {
       std::size_t k = 0;
       for (std::size_t axis = 0; axis < D; ++axis)
@@ -257,8 +257,7 @@ Judgement judge_seeds(std::uint64_t number, std::uint64_t least, Quantum quantum
       found[k].append(block);
     }
     for (std::size_t k = 0; k < seeds.size(); ++k) {
-      found[k].finish();
-      test::judge<D>({polynomials[k]}, node, found[k], judgement);
+      test::judge<D>({polynomials[k]}, node, std::move(found[k]).finish(node, true), judgement);
     }
   }
   return judgement;
@@ -328,7 +327,7 @@ void expect_right(const std::vector<std::string>& texts, const Rational& half_si
   std::vector<Polynomial<Rational, D>> system;
   for (const auto& text : texts) system.push_back(parse_polynomial<D>(text, names));
   const Grid<D> grid(box, resolution);
-  const auto found = localize_fast(system, grid).cells;
+  const auto found = localize(system, grid);
   Judgement judgement;
   test::judge(system, grid, found, judgement);
   EXPECT_EQ(judgement.wrong, "");

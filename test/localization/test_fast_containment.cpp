@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include <corral/localization/localize_fast.h>
+#include <corral/localization/localize.h>
 #include <corral/polynomial/evaluate.h>
 
 #include "exact_cells.h"
@@ -36,13 +36,13 @@ std::string contradiction(const Polynomial<Rational, D>& f, const Grid<D>& grid,
 /// Checks every cell; returns the number of cells.
 std::uint64_t check_corners(const Polynomial<Rational, 2>& f, const Grid<2>& grid)
 {
-  const auto cells = localize_fast(f, grid).cells;
+  const auto cells = localize(f, grid);
   const test::Grid_signs signs(f, grid);
   std::uint64_t checked = 0;
   for_each_cell<2>(grid.resolution(), [&](const Cell<2>& cell) {
     const auto [x, y] = cell;
     const int corners[] = {signs.at(x, y), signs.at(x + 1, y), signs.at(x, y + 1), signs.at(x + 1, y + 1)};
-    const auto wrong = contradiction(f, grid, cell, cells.at(cell), corners);
+    const auto wrong = contradiction(f, grid, cell, cells.verdict(cell), corners);
     if (!wrong.empty()) ADD_FAILURE() << wrong;
     ++checked;
   });
@@ -63,7 +63,7 @@ Polynomial<Rational, 2> on_plane(const Polynomial<Rational, 3>& f, const Rationa
 
 std::uint64_t check_corners(const Polynomial<Rational, 3>& f, const Grid<3>& grid)
 {
-  const auto cells = localize_fast(f, grid).cells;
+  const auto cells = localize(f, grid);
   const auto [nx, ny, nz] = grid.resolution();
   const Grid<2> layer({grid.box()[0], grid.box()[1]}, {nx, ny});
   const auto signs_at = [&](std::uint32_t z) { return test::Grid_signs(on_plane(f, grid.line(2, z)), layer); };
@@ -76,7 +76,7 @@ std::uint64_t check_corners(const Polynomial<Rational, 3>& f, const Grid<3>& gri
       const int corners[] = {below.at(x, y), below.at(x + 1, y), below.at(x, y + 1), below.at(x + 1, y + 1),
                              above.at(x, y), above.at(x + 1, y), above.at(x, y + 1), above.at(x + 1, y + 1)};
       const Cell<3> cell{x, y, z};
-      const auto wrong = contradiction(f, grid, cell, cells.at(cell), corners);
+      const auto wrong = contradiction(f, grid, cell, cells.verdict(cell), corners);
       if (!wrong.empty()) ADD_FAILURE() << wrong;
       ++checked;
     });
@@ -156,7 +156,7 @@ Zero_count look_up_zeros(Trouble_source& random, const Rational& offset)
   Zero_count count;
   if (a.is_zero() || f.is_zero()) return count;
   const auto grid = test::random_grid<D>(random, D == 2 ? 3000 : 200);
-  const auto cells = localize_fast(f, grid).cells;
+  const auto cells = localize(f, grid);
   for (int k = 0; k < 300; ++k) {
     std::array<Rational, D> point;
     for (std::size_t axis = 0; axis + 1 < D; ++axis) {
@@ -180,7 +180,7 @@ Zero_count look_up_zeros(Trouble_source& random, const Rational& offset)
     }
     for (const auto& cell : around) {
       ++count.checked;
-      if (cells.at(cell) == Verdict::empty) ++count.lost;
+      if (cells.verdict(cell) == Verdict::empty) ++count.lost;
     }
   }
   return count;

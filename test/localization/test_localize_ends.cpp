@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <corral/errors.h>
-#include <corral/localization/localize_fast.h>
+#include <corral/localization/localize.h>
 #include <corral/polynomial/parse.h>
 
 #include "exact_cells.h"
 #include "localization/fast/Search.h"
+#include "stopped_rasters.h"
+#include "stopping_run.h"
 
 #include <gtest/gtest.h>
 
@@ -50,10 +52,10 @@ void expect_end(const std::vector<Row>& rows)
 {
   for (const Row& row : rows) {
     const auto grid = cube<D>(1, row.cells);
-    const auto found = localize_fast(polynomial<D>(row.text), grid);
-    EXPECT_LE(found.counters.bounds, row.nodes) << row.text;
+    const auto found = localize(polynomial<D>(row.text), grid);
+    EXPECT_LE(found.counters().bounds, row.nodes) << row.text;
     if (*row.same_zeros != 0) {
-      EXPECT_EQ(found.cells, localize_fast(polynomial<D>(row.same_zeros), grid).cells) << row.text;
+      EXPECT_EQ(found, localize(polynomial<D>(row.same_zeros), grid)) << row.text;
     }
   }
 }
@@ -81,9 +83,9 @@ TEST(Localize_ends, with_powers_in_systems)
   const auto grid = cube<2>(1, 256);
   const std::vector system{polynomial<2>("(x-y)^40"), polynomial<2>("(x^2+y^2-1/2)^9")};
   const std::vector simple{polynomial<2>("x-y"), polynomial<2>("x^2+y^2-1/2")};
-  const auto found = localize_fast(system, grid);
-  EXPECT_EQ(found.cells, localize_fast(simple, grid).cells);
-  EXPECT_LE(found.counters.bounds, 3000U);
+  const auto found = localize(system, grid);
+  EXPECT_EQ(found, localize(simple, grid));
+  EXPECT_LE(found.counters().bounds, 3000U);
 }
 
 // Nearly powers: no factor can be taken out, and rounding hides nearly all.
@@ -100,30 +102,36 @@ TEST(Localize_ends, where_values_lie_beyond_doubles)
 {
   const auto grid = cube<2>(2, 64);
   const auto f = polynomial<2>("x^1000*y^1000+x-y/3");
-  const auto found = localize_fast(f, grid);
-  EXPECT_LE(found.counters.bounds, 20000U);
-  EXPECT_GT(found.cells.hit(), 100U);
-  EXPECT_NE(found.cells.at({32, 32}), Verdict::empty);
-  EXPECT_EQ(found.cells.at({0, 0}), Verdict::empty);
+  const auto found = localize(f, grid);
+  EXPECT_LE(found.counters().bounds, 20000U);
+  EXPECT_GT(found.hit(), 100U);
+  EXPECT_NE(found.verdict({32, 32}), Verdict::empty);
+  EXPECT_EQ(found.verdict({0, 0}), Verdict::empty);
 }
 
 /// How often a run asks whether to go on; and that it stops when told to, at any time.
 template <std::size_t D>
 void expect_obedience(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid)
 {
-  int calls = 0;
-  Fast_options options;
+  std::uint64_t calls = 0;
+  Run_options options;
   options.progress = [&](double part) {
     EXPECT_GE(part, 0);
     EXPECT_LE(part, 1);
     ++calls;
-    return true;
   };
-  (void)localize_fast(system, grid, options);
-  for (const int allowed : {0, calls / 2, calls - 1}) {
-    int left = allowed;
-    options.progress = [&](double) { return left-- > 0; };
-    EXPECT_THROW((void)localize_fast(system, grid, options), Cancelled) << allowed << " of " << calls;
+  const auto whole = localize(system, grid, options);
+  EXPECT_FALSE(whole.was_stopped());
+  for (const std::uint64_t report : {std::uint64_t{1}, calls / 2, calls - 1}) {
+    const auto stopped = localize(system, grid, test::stopping_at(report));
+    if (report == 1) {
+      EXPECT_EQ(stopped.unvisited_cells(), grid.cell_count());
+    }
+    if (stopped.was_stopped()) {
+      EXPECT_EQ(test::doubts_of_stopped(stopped, whole), "") << report << " of " << calls;
+    } else {
+      EXPECT_EQ(stopped, whole); // it was done before it asked again
+    }
   }
 }
 

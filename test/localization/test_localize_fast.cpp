@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <corral/audit/Trouble_source.h>
-#include <corral/localization/localize_fast.h>
+#include <corral/localization/localize.h>
 
 #include "exact_cells.h"
 #include "localization/fast/Root_seed.h"
@@ -27,10 +27,10 @@ std::string find_wrong_verdict(std::uint64_t seed, int rounds, long most_cells)
   for (int round = 0; round < rounds; ++round) {
     const auto f = random_polynomial<D>(random, static_cast<unsigned>(random.integer(1, 7)));
     const auto grid = random_grid<D>(random, most_cells);
-    const auto cells = localize_fast(f, grid).cells;
+    const auto cells = localize(f, grid);
     std::string wrong;
     for_each_cell<D>(grid.resolution(), [&](const Cell<D>& cell) {
-      if (wrong.empty()) wrong = test::contradiction(f, grid, cell, cells.at(cell));
+      if (wrong.empty()) wrong = test::contradiction(f, grid, cell, cells.verdict(cell));
     });
     if (!wrong.empty()) return "round " + std::to_string(round) + ": " + wrong;
   }
@@ -48,7 +48,7 @@ TEST(Localize_fast, agrees_with_exact_subdivision_in_space)
 
 /// The cells of the grid, all in one piece and looked at once.
 template <std::size_t D>
-Cell_set<D> run(const Polynomial<Rational, D>& f, const Grid<D>& grid, bool with_remainder)
+Raster<D> run(const Polynomial<Rational, D>& f, const Grid<D>& grid, bool with_remainder)
 {
   fast::Plan<D> plan(fast::Monomial_shape<D>(f), grid);
   plan.tells_hidden = plan.tells_rough = false;
@@ -60,10 +60,9 @@ Cell_set<D> run(const Polynomial<Rational, D>& f, const Grid<D>& grid, bool with
   }
   fast::Harvest<D> harvest;
   fast::make_subdivider(plan, pulse)->run(plan.root_level, {&root, 1}, 0, harvest);
-  Cell_set<D> cells;
+  Raster_builder<D> cells;
   harvest.blocks.visit([&](const Cell_block<D>& block) { cells.append(block); });
-  cells.finish();
-  return cells;
+  return std::move(cells).finish(grid, with_remainder);
 }
 
 /// \brief The first wrong verdict beside a grid point at which f is nearly zero.
@@ -97,7 +96,7 @@ std::string find_rounding_fault(std::uint64_t seed, int rounds, bool with_remain
         inside = inside && cell[axis] < grid.resolution()[axis];
       }
       if (!inside) continue;
-      const auto wrong = test::contradiction(f, grid, cell, cells.at(cell));
+      const auto wrong = test::contradiction(f, grid, cell, cells.verdict(cell));
       if (!wrong.empty()) return "round " + std::to_string(round) + ": " + wrong;
     }
   }
@@ -118,22 +117,22 @@ TEST(Localize_fast, a_remainder_left_out_is_found)
 TEST(Localize_fast, plots_no_more_cells_than_modified_affine_arithmetic)
 {
   for (std::size_t k = 0; k < 10; ++k) {
-    const auto curve = localize_fast(test::paper_curve(k), test::paper_grid_2(256)).cells;
+    const auto curve = localize(test::paper_curve(k), test::paper_grid_2(256));
     EXPECT_LE(curve.plotted(), test::paper_curves[k].maa_cells) << test::paper_curves[k].text;
-    const auto surface = localize_fast(test::paper_surface(k), test::paper_grid_3(32)).cells;
+    const auto surface = localize(test::paper_surface(k), test::paper_grid_3(32));
     EXPECT_LE(surface.plotted(), test::paper_surfaces[k].maa_cells) << test::paper_surfaces[k].text;
   }
 }
 
 /// Cells of varied problems, large enough to be cut into tasks.
-std::vector<Cell_set<2>> varied_results(const Fast_options& options)
+std::vector<Raster<2>> varied_results(const Run_options& options)
 {
-  std::vector<Cell_set<2>> results;
+  std::vector<Raster<2>> results;
   for (const std::size_t k : {2U, 3U, 8U})
-    results.push_back(localize_fast(test::paper_curve(k), test::paper_grid_2(4096), options).cells);
+    results.push_back(localize(test::paper_curve(k), test::paper_grid_2(4096), options));
   Trouble_source random(6);
   for (int round = 0; round < 20; ++round)
-    results.push_back(localize_fast(random_polynomial<2>(random, 9), random_grid<2>(random, 3000), options).cells);
+    results.push_back(localize(random_polynomial<2>(random, 9), random_grid<2>(random, 3000), options));
   return results;
 }
 
@@ -141,22 +140,22 @@ TEST(Localize_fast, does_not_depend_on_the_number_of_threads)
 {
   const auto one = varied_results({});
   for (const unsigned threads : {0U, 2U, 5U}) {
-    Fast_options options;
+    Run_options options;
     options.threads = threads;
     EXPECT_EQ(varied_results(options), one) << threads << " threads";
   }
   const auto grid = test::paper_grid_3(256);
-  Fast_options two;
+  Run_options two;
   two.threads = 2;
-  EXPECT_EQ(localize_fast(test::paper_surface(4), grid).cells, localize_fast(test::paper_surface(4), grid, two).cells);
+  EXPECT_EQ(localize(test::paper_surface(4), grid), localize(test::paper_surface(4), grid, two));
 }
 
-std::vector<Cell_set<3>> all_surfaces()
+std::vector<Raster<3>> all_surfaces()
 {
-  std::vector<Cell_set<3>> results;
+  std::vector<Raster<3>> results;
   for (std::size_t k = 0; k < 10; ++k)
     for (const std::uint32_t n : {50U, 256U})
-      results.push_back(localize_fast(test::paper_surface(k), test::paper_grid_3(n)).cells);
+      results.push_back(localize(test::paper_surface(k), test::paper_grid_3(n)));
   return results;
 }
 
@@ -175,7 +174,7 @@ TEST(Localize_fast, does_not_depend_on_the_instruction_set)
 
 TEST(Localize_fast, is_exact_where_the_data_allow_it)
 {
-  const auto plane = localize_fast(test::paper_surface(0), test::paper_grid_3(32)).cells;
+  const auto plane = localize(test::paper_surface(0), test::paper_grid_3(32));
   EXPECT_EQ(plane.plotted(), 1791U);
   EXPECT_EQ(plane.hit(), 1791U); // 511 of these only touch it with a corner
 }
@@ -184,21 +183,22 @@ TEST(Localize_fast, takes_any_size_of_coefficients)
 {
   const auto grid = test::paper_grid_2(64);
   const auto circle = parse_polynomial<2>("(x - 1/3)^2 + (y - 1/3)^2 - 1/16", {"x", "y"});
-  const auto expected = localize_fast(circle, grid).cells;
+  const auto expected = localize(circle, grid);
   for (const int exponent : {-20000, -1074, 900, 30000}) {
     Rational factor = 1;
     if (exponent < 0)
       mpq_div_2exp(factor.get_mpq_t(), factor.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
     else
       mpq_mul_2exp(factor.get_mpq_t(), factor.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
-    EXPECT_EQ(localize_fast(constant<Rational, 2>(factor) * circle, grid).cells, expected) << exponent;
+    EXPECT_EQ(localize(constant<Rational, 2>(factor) * circle, grid), expected) << exponent;
   }
   Rational tiny = 1;
   mpq_div_2exp(tiny.get_mpq_t(), tiny.get_mpq_t(), 1200);
   const auto f = parse_polynomial<2>("x - y", {"x", "y"}) + constant<Rational, 2>(tiny); // misses every corner
-  const auto cells = localize_fast(f, grid).cells;
-  for_each_cell<2>(grid.resolution(),
-                   [&](const Cell<2>& cell) { EXPECT_EQ(test::contradiction(f, grid, cell, cells.at(cell)), ""); });
+  const auto cells = localize(f, grid);
+  for_each_cell<2>(grid.resolution(), [&](const Cell<2>& cell) {
+    EXPECT_EQ(test::contradiction(f, grid, cell, cells.verdict(cell)), "");
+  });
 }
 
 TEST(Localize_fast, sees_past_the_rounding_errors_of_a_large_box)
@@ -207,28 +207,27 @@ TEST(Localize_fast, sees_past_the_rounding_errors_of_a_large_box)
   const Rational_interval side(-2, 2);
   const auto f = parse_polynomial<2>("x^60 + y^60 - 1", {"x", "y"});
   const Grid<2> grid({side, side}, {1024, 1024});
-  const auto cells = localize_fast(f, grid).cells;
+  const auto cells = localize(f, grid);
   EXPECT_GT(cells.hit(), 700U);
   EXPECT_LT(cells.plotted(), 5000U);
-  Fast_options two;
+  Run_options two;
   two.threads = 2;
-  EXPECT_EQ(localize_fast(f, grid, two).cells, cells);
-  EXPECT_LE(localize_fast(f, Grid<2>({side, side}, {256, 256})).cells.plotted(), 1012U); // what MAA plots
-  EXPECT_LE(localize_fast(f, Grid<2>({side, side}, {16, 16})).cells.plotted(), 220U);    // the same
-  const Rational_interval unit(0, 1); // of the curve y = x^60, 31 of 256 cells
-  EXPECT_EQ(localize_fast(parse_polynomial<2>("y - x^60", {"x", "y"}), Grid<2>({unit, unit}, {16, 16})).cells.plotted(),
-            31U);
+  EXPECT_EQ(localize(f, grid, two), cells);
+  EXPECT_LE(localize(f, Grid<2>({side, side}, {256, 256})).plotted(), 1012U); // what MAA plots
+  EXPECT_LE(localize(f, Grid<2>({side, side}, {16, 16})).plotted(), 220U);    // the same
+  const Rational_interval unit(0, 1);                                         // of the curve y = x^60, 31 of 256 cells
+  EXPECT_EQ(localize(parse_polynomial<2>("y - x^60", {"x", "y"}), Grid<2>({unit, unit}, {16, 16})).plotted(), 31U);
   const auto g = parse_polynomial<3>("x^40 + y^40 + z^40 - 1", {"x", "y", "z"});
-  EXPECT_GT(localize_fast(g, Grid<3>({side, side, side}, {96, 96, 96})).cells.hit(), 1000U);
+  EXPECT_GT(localize(g, Grid<3>({side, side, side}, {96, 96, 96})).hit(), 1000U);
 }
 
 TEST(Localize_fast, needs_memory_for_the_plotted_cells_only)
 {
-  const auto cells = localize_fast(test::paper_curve(0), test::paper_grid_2(65536)).cells; // of 4.3 billion pixels
+  const auto cells = localize(test::paper_curve(0), test::paper_grid_2(65536)); // of 4.3 billion pixels
   EXPECT_GT(cells.hit(), 130000U);
   EXPECT_LT(cells.unknown(), 100U);
   EXPECT_LT(cells.blocks().size(), 20000U);
-  const auto plane = localize_fast(test::paper_surface(0), test::paper_grid_3(1024)).cells;
+  const auto plane = localize(test::paper_surface(0), test::paper_grid_3(1024));
   EXPECT_LT(plane.blocks().size(), 150000U);
 }
 
@@ -236,7 +235,7 @@ TEST(Localize_fast, proves_nearly_all_hits_by_floats_alone)
 {
   for (std::size_t k = 0; k < 10; ++k)
     for (const std::uint32_t n : {256U, 1024U}) {
-      const auto cells = localize_fast(test::paper_curve(k), test::paper_grid_2(n)).cells;
+      const auto cells = localize(test::paper_curve(k), test::paper_grid_2(n));
       EXPECT_GE(cells.hit() * 100, cells.plotted() * 97) << test::paper_curves[k].text << " at " << n;
     }
   // The cells that truly hold a zero, counted by the exact decision.
@@ -245,7 +244,7 @@ TEST(Localize_fast, proves_nearly_all_hits_by_floats_alone)
   for (std::size_t k = 0; k < 10; ++k)
     for (const std::uint32_t n : {32U, 128U}) {
       const std::uint64_t ideal = n == 32 ? hit_at_32[k] : hit_at_128[k];
-      const auto cells = localize_fast(test::paper_surface(k), test::paper_grid_3(n)).cells;
+      const auto cells = localize(test::paper_surface(k), test::paper_grid_3(n));
       EXPECT_LE(cells.hit(), ideal) << test::paper_surfaces[k].text << " at " << n;
       EXPECT_GE(cells.hit() * 100, ideal * 97) << test::paper_surfaces[k].text << " at " << n;
       EXPECT_GE(cells.plotted(), ideal) << test::paper_surfaces[k].text << " at " << n;
@@ -255,25 +254,22 @@ TEST(Localize_fast, proves_nearly_all_hits_by_floats_alone)
 TEST(Localize_fast, refuses_what_it_cannot_do)
 {
   const auto grid = test::paper_grid_2(4096);
-  EXPECT_THROW((void)localize_fast(Polynomial<Rational, 2>(), grid), Invalid_input);
-  Fast_options few;
+  EXPECT_THROW((void)localize(Polynomial<Rational, 2>(), grid), Invalid_input);
+  Run_options few;
   few.cell_budget = 1000;
-  EXPECT_THROW((void)localize_fast(test::paper_curve(0), grid, few), Budget_exceeded);
+  EXPECT_THROW((void)localize(test::paper_curve(0), grid, few), Budget_exceeded);
   const auto line = parse_polynomial<2>("y - 1/2", {"x", "y"}); // two rows, of 25 blocks
   few.cell_budget = 399;
-  EXPECT_THROW((void)localize_fast(line, test::paper_grid_2(200), few), Budget_exceeded);
+  EXPECT_THROW((void)localize(line, test::paper_grid_2(200), few), Budget_exceeded);
   few.cell_budget = 400;
-  EXPECT_EQ(localize_fast(line, test::paper_grid_2(200), few).cells.plotted(), 400U);
-  Fast_options stopped;
-  stopped.progress = [](double) { return false; };
-  EXPECT_THROW((void)localize_fast(test::paper_curve(0), grid, stopped), Cancelled);
+  EXPECT_EQ(localize(line, test::paper_grid_2(200), few).plotted(), 400U);
 }
 
 TEST(Localize_fast, knows_constants)
 {
   const auto grid = test::paper_grid_2(100);
-  EXPECT_EQ(localize_fast(constant<Rational, 2>(Rational(-1, 7)), grid).cells.plotted(), 0U);
-  const auto line = localize_fast(parse_polynomial<2>("y - 1/2", {"x", "y"}), grid).cells;
+  EXPECT_EQ(localize(constant<Rational, 2>(Rational(-1, 7)), grid).plotted(), 0U);
+  const auto line = localize(parse_polynomial<2>("y - 1/2", {"x", "y"}), grid);
   EXPECT_EQ(line.plotted(), 200U);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <corral/audit/Trouble_source.h>
 #include <corral/errors.h>
-#include <corral/localization/localize_fast.h>
+#include <corral/localization/localize.h>
 #include <corral/polynomial/evaluate.h>
 #include <corral/polynomial/parse.h>
 
@@ -9,6 +9,8 @@
 #include "paper_polynomials.h"
 #include "random_cases.h"
 #include "rounds.h"
+#include "stopped_rasters.h"
+#include "stopping_run.h"
 
 #include <gtest/gtest.h>
 
@@ -57,26 +59,25 @@ Case<D> random_case(Trouble_source& random, unsigned degree, long most_cells)
 
 /// How many cells of `a` are not in `b`.
 template <std::size_t D>
-std::uint64_t more(const Cell_set<D>& a, const Cell_set<D>& b)
+std::uint64_t more(const Raster<D>& a, const Raster<D>& b)
 {
   std::uint64_t count = 0;
-  a.for_each([&](const Cell<D>& cell, Verdict) { count += b.at(cell) == Verdict::empty ? 1U : 0U; });
+  for (const auto& [cell, verdict] : a) count += b.verdict(cell) == Verdict::empty ? 1U : 0U;
   return count;
 }
 
 /// What each polynomial alone leaves.
 template <std::size_t D>
-Cell_set<D> intersection(const System<D>& system, const Grid<D>& grid)
+Raster<D> intersection(const System<D>& system, const Grid<D>& grid)
 {
-  std::vector<Cell_set<D>> all;
-  for (const auto& f : system) all.push_back(localize_fast(f, grid).cells);
-  Cell_set<D> result;
-  all[0].for_each([&](const Cell<D>& cell, Verdict) {
-    if (std::ranges::all_of(all, [&](const auto& cells) { return cells.at(cell) != Verdict::empty; }))
+  std::vector<Raster<D>> all;
+  for (const auto& f : system) all.push_back(localize(f, grid));
+  Raster_builder<D> result;
+  all[0].for_each_visited([&](const Cell<D>& cell, Verdict) {
+    if (std::ranges::all_of(all, [&](const auto& cells) { return cells.verdict(cell) != Verdict::empty; }))
       result.append(cell, Verdict::unknown);
   });
-  result.finish();
-  return result;
+  return std::move(result).finish(grid, true);
 }
 
 struct Sums
@@ -97,7 +98,7 @@ Sums sums(std::uint64_t seed, int rounds, long most_degree, long most_cells, con
   for (int round = 0; round < rounds; ++round) {
     auto c = random_case<D>(random, static_cast<unsigned>(random.integer(1, most_degree)), most_cells);
     c.system[0] = c.system[0] + constant<Rational, D>(moved);
-    const auto cells = localize_fast(c.system, c.grid).cells;
+    const auto cells = localize(c.system, c.grid);
     const auto one_by_one = intersection(c.system, c.grid);
     result.lost += test::lost_cells(cells, c.grid, c.zero);
     result.hits += cells.hit();
@@ -152,12 +153,11 @@ Grid<D> cube(int half_side, const Resolution<D>& resolution)
 
 TEST(Localize_system, costs_what_the_curve_costs)
 {
-  const auto found =
-      localize_fast(viviani(), cube<3>(2, {4096, 4096, 4096})); // 69 billion cells, a surface of 80 million
-  EXPECT_LT(found.cells.plotted(), 75000U);
-  EXPECT_LT(found.counters.bounds, 4 * found.cells.plotted());
-  const auto twice = localize_fast(viviani(), cube<3>(2, {8192, 8192, 8192}));
-  EXPECT_LT(twice.counters.bounds * 10, 23 * found.counters.bounds);
+  const auto found = localize(viviani(), cube<3>(2, {4096, 4096, 4096})); // 69 billion cells, a surface of 80 million
+  EXPECT_LT(found.plotted(), 75000U);
+  EXPECT_LT(found.counters().bounds, 4 * found.plotted());
+  const auto twice = localize(viviani(), cube<3>(2, {8192, 8192, 8192}));
+  EXPECT_LT(twice.counters().bounds * 10, 23 * found.counters().bounds);
 }
 
 TEST(Localize_system, finds_points_on_the_finest_grids)
@@ -166,10 +166,10 @@ TEST(Localize_system, finds_points_on_the_finest_grids)
                                       parse_polynomial<2>("y - x^2", {"x", "y"})}; // they meet at (-1, 1) and (1, 1)
   for (const auto& [x, y] : {Resolution<2>{1U << 20, 1U << 20}, {1U << 30, 1U << 30}, {1'000'003, 700'001}, {2, 3}}) {
     const auto grid = cube<2>(2, {x, y});
-    const auto found = localize_fast(circle_and_parabola, grid);
-    for (const int side : {-1, 1}) EXPECT_EQ(test::lost_cells(found.cells, grid, {Rational(side), Rational(1)}), 0U);
-    EXPECT_LE(found.cells.plotted(), 16U) << x << " " << y;
-    EXPECT_LE(found.counters.bounds, 2000U) << x << " " << y;
+    const auto found = localize(circle_and_parabola, grid);
+    for (const int side : {-1, 1}) EXPECT_EQ(test::lost_cells(found, grid, {Rational(side), Rational(1)}), 0U);
+    EXPECT_LE(found.plotted(), 16U) << x << " " << y;
+    EXPECT_LE(found.counters().bounds, 2000U) << x << " " << y;
   }
 }
 
@@ -177,7 +177,7 @@ TEST(Localize_system, sees_past_the_rounding_errors_of_a_large_box)
 {
   const System<2> system{parse_polynomial<2>("x^60 + y^60 - 1", {"x", "y"}), parse_polynomial<2>("x*y", {"x", "y"})};
   const auto grid = cube<2>(2, {1024, 1024});
-  const auto cells = localize_fast(system, grid).cells;
+  const auto cells = localize(system, grid);
   for (const int side : {-1, 1}) {
     EXPECT_EQ(test::lost_cells(cells, grid, {Rational(side), Rational(0)}), 0U);
     EXPECT_EQ(test::lost_cells(cells, grid, {Rational(0), Rational(side)}), 0U);
@@ -186,13 +186,13 @@ TEST(Localize_system, sees_past_the_rounding_errors_of_a_large_box)
 }
 
 template <std::size_t D>
-std::vector<Cell_set<D>> varied_results(const Fast_options& options)
+std::vector<Raster<D>> varied_results(const Run_options& options)
 {
-  std::vector<Cell_set<D>> results;
+  std::vector<Raster<D>> results;
   Trouble_source random(15);
   for (int round = 0; round < 30; ++round) {
     const auto c = random_case<D>(random, D == 2 ? 25 : 8, D == 2 ? 3000 : 300);
-    results.push_back(localize_fast(c.system, c.grid, options).cells);
+    results.push_back(localize(c.system, c.grid, options));
   }
   return results;
 }
@@ -200,11 +200,11 @@ std::vector<Cell_set<D>> varied_results(const Fast_options& options)
 TEST(Localize_system, does_not_depend_on_the_number_of_threads)
 {
   const auto grid = cube<3>(2, {4096, 3000, 5000});
-  const auto one = localize_fast(viviani(), grid).cells;
+  const auto one = localize(viviani(), grid);
   for (const unsigned threads : {0U, 2U}) {
-    Fast_options options;
+    Run_options options;
     options.threads = threads;
-    EXPECT_EQ(localize_fast(viviani(), grid, options).cells, one) << threads << " threads";
+    EXPECT_EQ(localize(viviani(), grid, options), one) << threads << " threads";
     EXPECT_EQ(varied_results<2>(options), varied_results<2>({})) << threads << " threads";
     EXPECT_EQ(varied_results<3>(options), varied_results<3>({})) << threads << " threads";
   }
@@ -216,25 +216,27 @@ TEST(Localize_system, tells_how_far_it_is_and_stops)
   for (const unsigned threads : {1U, 2U}) {
     double done = 0;
     int calls = 0;
-    Fast_options options;
+    Run_options options;
     options.threads = threads;
     options.progress = [&](double part) {
       EXPECT_LE(done, part);
       EXPECT_LE(part, 1);
       done = part;
       ++calls;
-      return true;
     };
-    const auto cells = localize_fast(viviani(), grid, options).cells;
+    const auto cells = localize(viviani(), grid, options);
     EXPECT_GT(done, 0.999);
     EXPECT_GT(calls, 100);
-    options.progress = [&](double) { return --calls > 50; };
-    EXPECT_THROW((void)localize_fast(viviani(), grid, options), Cancelled);
+    auto stopped = test::stopping_at(static_cast<std::uint64_t>(calls / 2));
+    stopped.threads = threads;
+    const auto half = localize(viviani(), grid, stopped);
+    EXPECT_EQ(test::doubts_of_stopped(half, cells), "");
+    EXPECT_LT(static_cast<double>(half.unvisited_cells()), grid.cell_count());
     options.progress = {};
     options.cell_budget = cells.plotted() - 1;
-    EXPECT_THROW((void)localize_fast(viviani(), grid, options), Budget_exceeded);
+    EXPECT_THROW((void)localize(viviani(), grid, options), Budget_exceeded);
     options.cell_budget = cells.plotted();
-    EXPECT_EQ(localize_fast(viviani(), grid, options).cells, cells);
+    EXPECT_EQ(localize(viviani(), grid, options), cells);
   }
 }
 
@@ -242,16 +244,16 @@ TEST(Localize_system, takes_any_number_of_polynomials)
 {
   const auto grid = test::paper_grid_2(512);
   const auto curve = test::paper_curve(2);
-  EXPECT_THROW((void)localize_fast(System<2>(), grid), Invalid_input);
-  EXPECT_THROW((void)localize_fast(System<2>{curve, Polynomial<Rational, 2>()}, grid), Invalid_input);
-  const auto alone = localize_fast(curve, grid).cells;
-  EXPECT_EQ(localize_fast(System<2>{curve}, grid).cells, alone);
-  const auto twice = localize_fast(System<2>{curve, curve}, grid).cells;
+  EXPECT_THROW((void)localize(System<2>(), grid), Invalid_input);
+  EXPECT_THROW((void)localize(System<2>{curve, Polynomial<Rational, 2>()}, grid), Invalid_input);
+  const auto alone = localize(curve, grid);
+  EXPECT_EQ(localize(System<2>{curve}, grid), alone);
+  const auto twice = localize(System<2>{curve, curve}, grid);
   EXPECT_LE(more(twice, alone) + more(alone, twice), 2U);
   EXPECT_EQ(twice.hit(), 0U);
   const System<2> many(9, curve);
-  EXPECT_EQ(localize_fast(many, grid).cells, twice);
-  EXPECT_EQ(localize_fast(System<2>{curve, constant<Rational, 2>(3)}, grid).cells.plotted(), 0U);
+  EXPECT_EQ(localize(many, grid), twice);
+  EXPECT_EQ(localize(System<2>{curve, constant<Rational, 2>(3)}, grid).plotted(), 0U);
 }
 
 } // namespace

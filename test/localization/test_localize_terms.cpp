@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <corral/audit/Trouble_source.h>
-#include <corral/localization/localize_fast.h>
+#include <corral/localization/localize.h>
 #include <corral/number/Environment.h>
 #include <corral/polynomial/evaluate.h>
 #include <corral/polynomial/parse.h>
@@ -146,7 +146,7 @@ Errors errors(std::uint64_t seed, int rounds, long most_degree, long most_cells,
     auto f = sparse_polynomial<D>(random, most_degree);
     f = f - constant<Rational, D>(evaluate(f, zero) + moved);
     if (f.is_zero()) continue;
-    const auto cells = localize_fast(f, grid).cells;
+    const auto cells = localize(f, grid);
     result.lost += test::lost_cells(cells, grid, zero);
     result.plotted += cells.plotted();
     result.by_terms += Term_form<D>::suits(f, grid) ? 1 : 0;
@@ -155,7 +155,7 @@ Errors errors(std::uint64_t seed, int rounds, long most_degree, long most_cells,
         const long at = long{near[axis]} + random.integer(-2, 2);
         near[axis] = static_cast<std::uint32_t>(std::clamp(at, 0L, long{grid.resolution()[axis]} - 1));
       }
-      result.wrong = test::contradiction(f, grid, near, cells.at(near));
+      result.wrong = test::contradiction(f, grid, near, cells.verdict(near));
     }
   }
   return result;
@@ -211,23 +211,23 @@ TEST(Localize_terms, is_no_worse_than_natural_intervals)
                                               {"x^30 + y^30 - 1", 8, 20, 20},
                                               {"(x^30 - y^31)^2 + x^7*y^9", 16, 64, 29},
                                               {"(x^30 - y^31)^2 + x^7*y^9", 256, 1579, 526}}) {
-    const auto cells = localize_fast(parse_polynomial<2>(text, {"x", "y"}), cube<2>(2, n)).cells;
+    const auto cells = localize(parse_polynomial<2>(text, {"x", "y"}), cube<2>(2, n));
     EXPECT_LE(cells.plotted(), plotted) << text << " at " << n;
     EXPECT_GE(cells.hit(), hit) << text << " at " << n;
   }
   const auto f = parse_polynomial<3>("x^31*y^22*z^10*914144 + 356205*x^28*y^32*z^33 - 223716*x^16*y^32*z^2"
                                      " - 963382*x^5*y^8*z^11 + 924571*x^6*y^12*z^15 - 1",
                                      {"x", "y", "z"});
-  const auto found = localize_fast(f, cube<3>(2, 33));
-  EXPECT_LE(found.cells.plotted(), 12986U);
-  EXPECT_GE(found.cells.hit(), 5136U);
-  EXPECT_LE(found.counters.bounds, 30000U);
+  const auto found = localize(f, cube<3>(2, 33));
+  EXPECT_LE(found.plotted(), 12986U);
+  EXPECT_GE(found.hit(), 5136U);
+  EXPECT_LE(found.counters().bounds, 30000U);
 }
 
 TEST(Localize_terms, takes_degrees_of_which_no_dense_form_fits_in_memory)
 {
   const auto f = parse_polynomial<3>("x^300*y^300*z^300 - x + y^7 - 1/3", {"x", "y", "z"});
-  EXPECT_GT(localize_fast(f, cube<3>(1, 64)).cells.hit(), 4000U);
+  EXPECT_GT(localize(f, cube<3>(1, 64)).hit(), 4000U);
 }
 
 TEST(Localize_terms, does_not_depend_on_the_number_of_threads)
@@ -235,12 +235,12 @@ TEST(Localize_terms, does_not_depend_on_the_number_of_threads)
   const auto f = parse_polynomial<2>("(x^30 - y^31)^2 + x^7*y^9", {"x", "y"});
   const auto g = parse_polynomial<2>("x^60 + y^60 - 1", {"x", "y"});
   const auto line = parse_polynomial<2>("x - 2*y + 1/3", {"x", "y"});
-  Fast_options two;
+  Run_options two;
   two.threads = 2;
   for (const std::uint32_t n : {100U, 1000U}) {
     const auto grid = cube<2>(2, n);
     for (const auto& system : {std::vector{f}, std::vector{g}, std::vector{f, line}, std::vector{line, g}})
-      EXPECT_EQ(localize_fast(system, grid, two).cells, localize_fast(system, grid).cells) << n;
+      EXPECT_EQ(localize(system, grid, two), localize(system, grid)) << n;
   }
 }
 

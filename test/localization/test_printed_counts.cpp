@@ -5,7 +5,7 @@
 #include <corral/bounders/Recursive_taylor_bounder.h>
 #include <corral/decision/ideal_raster.h>
 #include <corral/localization/localize.h>
-#include <corral/localization/localize_fast.h>
+#include <corral/localization/localize_with_bounder.h>
 #include <corral/number/Nearest_interval.h>
 #include <corral/polynomial/evaluate.h>
 
@@ -83,20 +83,20 @@ constexpr std::array<Row, 10> printed_rt_plus_plus{{{1791, 592, 432100, 278177},
 constexpr Row printed_maa_of_20{3416, 1169, 3739482, 4352652};
 
 template <RangeBounder B>
-Localization<3> find_cells(std::size_t example, const Localization_options& options)
+Raster<3> find_cells(std::size_t example, const Cell_options& options)
 {
-  return localize<B>({paper_surface(example - 11)}, paper_grid_3(32), options);
+  return localize<B>({paper_surface(example - 11)}, paper_grid_3(32), {}, options);
 }
 
-const Localization_options plus_plus{.sample = true, .refine_depth = 1, .progress = {}};
+const Cell_options plus_plus{.sample = true, .refine_depth = 1};
 
 TEST(Printed_counts, of_table_2_come_from_a_stale_polynomial_in_the_subvoxel_test)
 {
   for (std::size_t example = 11; example <= 20; ++example) {
     const Row& printed = printed_rt_plus_plus[example - 11];
     const auto found = find_cells<Stale_bounder>(example, plus_plus);
-    EXPECT_EQ(found.cells.plotted(), printed.plotted) << "Example " << example;
-    EXPECT_EQ(found.counters.subdivisions, printed.subdivisions) << "Example " << example;
+    EXPECT_EQ(found.plotted(), printed.plotted) << "Example " << example;
+    EXPECT_EQ(found.counters().subdivisions, printed.subdivisions) << "Example " << example;
   }
 }
 
@@ -105,12 +105,11 @@ TEST(Printed_counts, of_table_2_lack_no_voxel_of_the_surface_by_luck)
   for (std::size_t example = 11; example <= 20; ++example) {
     const auto f = paper_surface(example - 11);
     const auto grid = paper_grid_3(32);
-    const auto ideal = ideal_raster<3>(f, grid, localize_fast<3>(f, grid).cells);
-    EXPECT_EQ(ideal.cells.unknown(), 0U) << "Example " << example;
+    const auto ideal = ideal_raster(f, localize(f, grid));
+    EXPECT_EQ(ideal.raster.unknown(), 0U) << "Example " << example;
     const auto printed = find_cells<Stale_bounder>(example, plus_plus);
-    ideal.cells.for_each([&](const Cell<3>& cell, Verdict) {
-      EXPECT_NE(printed.cells.at(cell), Verdict::empty) << "Example " << example;
-    });
+    for (const auto& [cell, verdict] : ideal.raster)
+      EXPECT_NE(printed.verdict(cell), Verdict::empty) << "Example " << example;
   }
 }
 
@@ -120,9 +119,9 @@ TEST(Printed_counts, of_table_2_do_not_come_from_the_described_method)
   constexpr std::array<std::uint64_t, 10> described{1791, 3944, 3712, 3192, 1936, 2108, 4980, 7792, 1624, 3288};
   for (std::size_t example = 11; example <= 20; ++example) {
     const auto found = find_cells<Recursive_taylor_bounder<I, 3>>(example, plus_plus);
-    EXPECT_EQ(found.cells.plotted(), described[example - 11]) << "Example " << example;
+    EXPECT_EQ(found.plotted(), described[example - 11]) << "Example " << example;
     const bool is_same = example == 11 || example == 13 || example == 20;
-    EXPECT_EQ(found.cells.plotted() == printed_rt_plus_plus[example - 11].plotted, is_same) << "Example " << example;
+    EXPECT_EQ(found.plotted() == printed_rt_plus_plus[example - 11].plotted, is_same) << "Example " << example;
   }
 }
 
@@ -145,10 +144,10 @@ public:
         subvoxel_test_(enclosure_for_localization<I>(paper_surface(9)))
   {}
 
-  [[nodiscard]] Extra_work count(const Cell_set<3>& cells) const
+  [[nodiscard]] Extra_work count(const Raster<3>& cells) const
   {
     Extra_work work;
-    cells.for_each([&](const Cell<3>& cell, Verdict) {
+    cells.for_each_visited([&](const Cell<3>& cell, Verdict) {
       if (changes_sign(cell, work)) return;
       ++work.refined;
       for (unsigned k = 0; k < 8; ++k) {
@@ -218,8 +217,8 @@ TEST(Printed_counts, of_operations_in_table_2_come_from_a_stale_polynomial_too)
   for (std::size_t example = 11; example <= 20; ++example) {
     const Row& plain = printed_rt[example - 11];
     const auto found = find_cells<Recursive_taylor_bounder<I, 3>>(example, {});
-    EXPECT_EQ(found.cells.plotted(), plain.plotted);
-    const Extra_work work = Extra_work_of_cells(example).count(found.cells);
+    EXPECT_EQ(found.plotted(), plain.plotted);
+    const Extra_work work = Extra_work_of_cells(example).count(found);
     const Row evaluation = evaluation_cost(example);
     const std::uint64_t common = work.products + 21 * work.refined + 3 * work.subvoxels;
     EXPECT_EQ(plain.additions + 8 * plain.plotted * evaluation.additions + common + work.subvoxels * additions,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <corral/bounders/Recursive_taylor_bounder.h>
 #include <corral/localization/localize.h>
-#include <corral/localization/localize_fast.h>
+#include <corral/localization/localize_with_bounder.h>
 #include <corral/number/Outward_interval.h>
 #include <corral/polynomial/evaluate.h>
 #include <corral/polynomial/parse.h>
@@ -86,7 +86,7 @@ Grid<3> grid_of(const Space_curve& curve, std::uint32_t resolution)
 }
 
 // How many of the cells that hold a known point of the curve the set lacks.
-std::size_t lost_cells(const Space_curve& curve, const Grid<3>& grid, const Cell_set<3>& cells)
+std::size_t lost_cells(const Space_curve& curve, const Grid<3>& grid, const Raster<3>& cells)
 {
   std::size_t lost = 0;
   for (const Point& p : curve.points) lost += test::lost_cells(cells, grid, p);
@@ -122,10 +122,10 @@ TEST(Space_curves, lose_no_point_by_subdivision)
   for (const auto& [name, curve] : curves())
     for (const std::uint32_t resolution : {64U, 100U, 256U}) {
       const auto grid = grid_of(curve, resolution);
-      const auto found = localize<Bounder>(curve.system, grid, {.sample = true, .refine_depth = 1, .progress = {}});
-      EXPECT_TRUE(found.is_guaranteed);
-      EXPECT_EQ(lost_cells(curve, grid, found.cells), 0U) << name << " at " << resolution;
-      EXPECT_LT(found.cells.plotted(), 16U * resolution) << name << " at " << resolution;
+      const auto found = localize<Bounder>(curve.system, grid, {}, {.sample = true, .refine_depth = 1});
+      EXPECT_TRUE(found.is_guaranteed());
+      EXPECT_EQ(lost_cells(curve, grid, found), 0U) << name << " at " << resolution;
+      EXPECT_LT(found.plotted(), 16U * resolution) << name << " at " << resolution;
     }
 }
 
@@ -134,7 +134,7 @@ TEST(Space_curves, lose_no_point_by_the_fast_engine)
   for (const auto& [name, curve] : curves())
     for (const std::uint32_t resolution : {64U, 100U, 256U, 4096U, 60000U}) {
       const auto grid = grid_of(curve, resolution);
-      const auto cells = localize_fast<3>(curve.system, grid).cells;
+      const auto cells = localize(curve.system, grid);
       EXPECT_EQ(lost_cells(curve, grid, cells), 0U) << name << " at " << resolution;
       EXPECT_LT(cells.plotted(), 25U * resolution) << name << " at " << resolution;
     }
@@ -147,8 +147,8 @@ TEST(Space_curves, lose_points_if_the_surfaces_are_moved)
     System moved = curve.system;
     moved[0] = moved[0] + constant<Rational, 3>(Rational(1, 8));
     const auto grid = grid_of(curve, 64);
-    EXPECT_GT(lost_cells(curve, grid, localize<Bounder>(moved, grid).cells), 0U) << name;
-    EXPECT_GT(lost_cells(curve, grid, localize_fast<3>(moved, grid).cells), 0U) << name;
+    EXPECT_GT(lost_cells(curve, grid, localize<Bounder>(moved, grid)), 0U) << name;
+    EXPECT_GT(lost_cells(curve, grid, localize(moved, grid)), 0U) << name;
   }
 }
 

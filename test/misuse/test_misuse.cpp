@@ -5,7 +5,7 @@
 #include <corral/decision/ideal_system.h>
 #include <corral/errors.h>
 #include <corral/localization/localize.h>
-#include <corral/localization/localize_fast.h>
+#include <corral/localization/localize_with_bounder.h>
 #include <corral/number/Outward_interval.h>
 #include <corral/number/format.h>
 #include <corral/polynomial/cgal_polynomial.h>
@@ -53,27 +53,23 @@ TEST(Misuse, terms_out_of_order_are_no_polynomial)
   EXPECT_TRUE(refuses("axis", [] { (void)variable<Rational, 2>(2); }));
   const auto sorted = collect<Rational, 2>(std::move(terms));
   EXPECT_EQ(sorted, circle());
-  EXPECT_EQ(localize_fast(sorted, grid64()).cells, localize_fast(circle(), grid64()).cells);
+  EXPECT_EQ(localize(sorted, grid64()), localize(circle(), grid64()));
 }
 
+// A raster knows its grid, so that its cells cannot be taken for those of another one.
 TEST(Misuse, cells_of_another_grid_are_refused)
 {
   const auto f = circle();
-  const Grid<2> finer(grid64().box(), {128, 128});
   const Grid<2> moved({Rational_interval(-1, 3), Rational_interval(-2, 2)}, {64, 64});
-  for (const Grid<2>& other : {finer, moved}) {
-    const auto by_engine = localize_fast(f, other).cells;
-    const auto by_bounder = localize<Modified_affine_bounder<Outward_interval, 2>>({f}, other).cells;
-    for (const auto& cells : {by_engine, by_bounder}) {
-      EXPECT_TRUE(refuses("another grid", [&] { (void)ideal_raster(f, grid64(), cells); }));
-      EXPECT_TRUE(refuses("another grid", [&] { (void)ideal_raster(std::vector{f, f}, grid64(), cells); }));
-      EXPECT_EQ(ideal_raster(f, other, cells).cells.unknown(), 0U);
-    }
+  for (const auto& cells : {localize(f, moved), localize<Modified_affine_bounder<Outward_interval, 2>>(f, moved)}) {
+    const auto ideal = ideal_raster(f, cells).raster;
+    EXPECT_EQ(ideal.grid(), moved);
+    EXPECT_EQ(ideal.unknown(), 0U);
   }
-  Cell_set<2> by_hand;
+  Raster_builder<2> by_hand;
   by_hand.append({64, 3}, Verdict::unknown);
-  by_hand.finish();
-  EXPECT_TRUE(refuses("(64, 3)", [&] { (void)ideal_raster(f, grid64(), by_hand); }));
+  EXPECT_TRUE(refuses("(64, 3)", [&] { (void)std::move(by_hand).finish(grid64(), true); }));
+  EXPECT_TRUE(refuses("(1000, 1000)", [&] { (void)localize(f, grid64()).verdict({1000, 1000}); }));
 }
 
 TEST(Misuse, cells_outside_of_the_grid_are_refused)
@@ -88,30 +84,28 @@ TEST(Misuse, cells_outside_of_the_grid_are_refused)
 
 TEST(Misuse, of_a_set_of_cells)
 {
-  Cell_set<2> cells;
+  Raster_builder<2> cells;
   EXPECT_TRUE(refuses("empty cell", [&] { cells.append({1, 1}, Verdict::empty); }));
   EXPECT_TRUE(refuses("block", [&] { cells.append({{0, 0}, 0, 0}); }));
   EXPECT_TRUE(refuses("block", [&] { cells.append({{0, 0}, 1, 2}); }));
   EXPECT_TRUE(refuses("block", [&] { cells.append(std::vector<Cell_block<2>>{{{0, 0}, 1, 1}, {{0, 1}, 0, 0}}); }));
   cells.append({9, 1}, Verdict::unknown);
-  EXPECT_TRUE(refuses("finish", [&] { (void)cells.at({9, 1}); }));
-  EXPECT_TRUE(refuses("finish", [&] { cells.for_each_sorted([](const Cell<2>&, Verdict) {}); }));
   cells.append({0, 0}, Verdict::hit);
   cells.append({9, 1}, Verdict::hit); // again, in a block that is not the last
   cells.append({9, 2}, Verdict::unknown);
-  cells.finish();
-  EXPECT_EQ(cells.blocks().size(), 2U);
-  EXPECT_EQ(cells.plotted(), 3U);
-  EXPECT_EQ(cells.at({9, 1}), Verdict::hit);
-  EXPECT_EQ(cells.at({9, 2}), Verdict::unknown);
+  const auto raster = std::move(cells).finish(grid64(), true);
+  EXPECT_EQ(raster.blocks().size(), 2U);
+  EXPECT_EQ(raster.plotted(), 3U);
+  EXPECT_EQ(raster.verdict({9, 1}), Verdict::hit);
+  EXPECT_EQ(raster.verdict({9, 2}), Verdict::unknown);
 }
 
 TEST(Misuse, of_the_loop_over_bounders)
 {
   using B = Modified_affine_bounder<Outward_interval, 2>;
   const Polynomial<Outward_interval, 2> f({{{1, 0}, 1}});
-  EXPECT_TRUE(refuses("1 bounder for 2 polynomials", [&] { Bounder_form<B>({f, f}, {B(f)}, grid64(), {}); }));
-  EXPECT_TRUE(refuses("before", [&] { (void)Bounder_form<B>({f}, {B(f)}, grid64(), {}).take(); }));
+  EXPECT_TRUE(refuses("1 bounder for 2 polynomials", [&] { Bounder_form<B>({f, f}, {B(f)}, grid64(), {}, {}); }));
+  EXPECT_TRUE(refuses("before", [&] { (void)Bounder_form<B>({f}, {B(f)}, grid64(), {}, {}).take(); }));
 }
 
 TEST(Misuse, of_texts_and_conversions)

@@ -2,10 +2,10 @@
 #ifndef CORRAL_TEST_OUTPUT_SHAPES_H
 #define CORRAL_TEST_OUTPUT_SHAPES_H
 
-#include <corral/localization/Cell_set.h>
+#include <corral/localization/Raster_builder.h>
 
-#include <algorithm>
 #include <functional>
+#include <utility>
 #include <vector>
 
 /// Cells made by hand, for the tests of the writers.
@@ -21,37 +21,30 @@ Grid<D> grid(std::uint32_t resolution, Rational lower = 0, Rational upper = 1)
   return Grid<D>(box, all);
 }
 
-/// The set of these cells in any order.
+/// The raster of these cells in any order.
 template <std::size_t D>
-Cell_set<D> cell_set(std::vector<std::pair<Cell<D>, Verdict>> list)
+Raster<D> raster(const Grid<D>& grid, const std::vector<Plotted_cell<D>>& list)
 {
-  const auto block = [](const Cell<D>& cell) {
-    Cell<D> index;
-    for (std::size_t axis = 0; axis < D; ++axis) index[axis] = cell[axis] / block_side<D>;
-    return index;
-  };
-  std::sort(list.begin(), list.end(), [&](const auto& a, const auto& b) { return block(a.first) < block(b.first); });
-  Cell_set<D> cells;
+  Raster_builder<D> cells;
   for (const auto& [cell, verdict] : list) cells.append(cell, verdict);
-  cells.finish();
-  return cells;
+  return std::move(cells).finish(grid, true);
 }
 
 /// Every cell of the grid for which `verdict` does not say empty.
 template <std::size_t D>
-Cell_set<D> select(const Grid<D>& grid, const std::function<Verdict(const Cell<D>&)>& verdict)
+Raster<D> select(const Grid<D>& grid, const std::function<Verdict(const Cell<D>&)>& verdict)
 {
-  std::vector<std::pair<Cell<D>, Verdict>> list;
+  std::vector<Plotted_cell<D>> list;
   Cell<D> cell{};
   for (bool more = true; more;) {
-    if (const Verdict found = verdict(cell); found != Verdict::empty) list.emplace_back(cell, found);
+    if (const Verdict found = verdict(cell); found != Verdict::empty) list.push_back({cell, found});
     more = false;
     for (std::size_t axis = D; axis-- > 0 && !more;) {
       more = ++cell[axis] < grid.resolution()[axis];
       if (!more) cell[axis] = 0;
     }
   }
-  return cell_set<D>(std::move(list));
+  return raster(grid, list);
 }
 
 } // namespace corral::test

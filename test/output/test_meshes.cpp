@@ -34,10 +34,10 @@ Off_mesh read_off(const std::string& text)
   return mesh;
 }
 
-std::string off(const Grid<3>& grid, const Cell_set<3>& cells)
+std::string off(const Raster<3>& cells)
 {
   std::ostringstream out;
-  write_off(out, grid, cells, {});
+  write_off(out, cells, {});
   return out.str();
 }
 
@@ -58,7 +58,7 @@ double volume(const Off_mesh& mesh)
 
 TEST(Mesh, of_one_voxel_is_a_cube)
 {
-  const Off_mesh mesh = read_off(off(test::grid<3>(2, -1, 1), test::cell_set<3>({{{1, 0, 1}, Verdict::hit}})));
+  const Off_mesh mesh = read_off(off(test::raster(test::grid<3>(2, -1, 1), {{{1, 0, 1}, Verdict::hit}})));
   EXPECT_EQ(mesh.vertices.size(), 8U);
   EXPECT_EQ(mesh.faces.size(), 6U);
   EXPECT_NEAR(volume(mesh), 1, 1e-12);
@@ -68,7 +68,7 @@ TEST(Mesh, has_no_inner_faces_and_shares_vertices)
 {
   const auto grid = test::grid<3>(6);
   const auto all = test::select<3>(grid, [](const Cell<3>&) { return Verdict::hit; });
-  const Off_mesh mesh = read_off(off(grid, all));
+  const Off_mesh mesh = read_off(off(all));
   EXPECT_EQ(mesh.faces.size(), 6U * 36U);
   EXPECT_EQ(mesh.vertices.size(), 7U * 7U * 7U - 5U * 5U * 5U);
   EXPECT_NEAR(volume(mesh), 1, 1e-12);
@@ -80,7 +80,7 @@ TEST(Mesh, is_closed_for_any_cells)
   const auto cells = test::select<3>(grid, [](const Cell<3>& c) {
     return (c[0] * 31 + c[1] * 17 + c[2] * 7 + c[0] * c[2]) % 5 < 2 ? Verdict::unknown : Verdict::empty;
   });
-  const Off_mesh mesh = read_off(off(grid, cells));
+  const Off_mesh mesh = read_off(off(cells));
   EXPECT_NEAR(volume(mesh), static_cast<double>(cells.plotted()) / 27, 1e-9);
   std::map<std::pair<std::size_t, std::size_t>, int> balance;
   for (const auto& face : mesh.faces)
@@ -95,11 +95,11 @@ TEST(Mesh, is_closed_for_any_cells)
 TEST(Mesh, formats_agree)
 {
   const auto grid = test::grid<3>(2);
-  const auto cells = test::cell_set<3>({{{0, 0, 0}, Verdict::hit}, {{1, 1, 1}, Verdict::unknown}});
+  const auto cells = test::raster(grid, {{{0, 0, 0}, Verdict::hit}, {{1, 1, 1}, Verdict::unknown}});
   std::ostringstream ply;
   std::ostringstream vtk;
-  write_ply(ply, grid, cells, {});
-  write_vtk(vtk, grid, cells, {});
+  write_ply(ply, cells, {});
+  write_vtk(vtk, cells, {});
   EXPECT_NE(ply.str().find("element vertex 15\n"), std::string::npos);
   EXPECT_NE(ply.str().find("element face 12\n"), std::string::npos);
   EXPECT_NE(vtk.str().find("POINTS 15 double\n0 0 0\n0 0 0.5\n"), std::string::npos);

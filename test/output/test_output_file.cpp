@@ -117,11 +117,10 @@ TEST_F(Output_files, follow_symbolic_links_and_keep_permissions_usual)
 
 TEST_F(Output_files, say_what_is_wrong_with_the_name)
 {
-  const auto grid = test::grid<2>(4);
-  const Cell_set<2> none;
+  const auto none = test::raster(test::grid<2>(4), {});
   const auto error_of = [&](const fs::path& path) -> std::string {
     try {
-      write_file(path, grid, none);
+      write_file(path, none);
     } catch (const std::exception& error) {
       return error.what();
     }
@@ -142,7 +141,7 @@ TEST_F(Output_files, to_a_full_device_fail)
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   fs::create_symlink("/dev/full", folder_ / "full.csv");
   const auto grid = test::grid<2>(4);
-  EXPECT_THROW(write_file(folder_ / "full.csv", grid, Cell_set<2>()), Output_error);
+  EXPECT_THROW(write_file(folder_ / "full.csv", test::raster(grid, {})), Output_error);
   EXPECT_TRUE(fs::is_character_file("/dev/full"));
 }
 
@@ -163,10 +162,10 @@ void check_full_disk(const fs::path& folder)
       rlimit small = before;
       small.rlim_cur = limit;
       setrlimit(RLIMIT_FSIZE, &small);
-      EXPECT_THROW(write_file(path, grid, cells), Output_error) << writer.ending << " at " << limit;
+      EXPECT_THROW(write_file(path, cells), Output_error) << writer.ending << " at " << limit;
       setrlimit(RLIMIT_FSIZE, &before);
       EXPECT_TRUE(fs::is_empty(folder)) << writer.ending << " left something";
-      write_file(path, grid, cells); // and the same works on a larger disk
+      write_file(path, cells); // and the same works on a larger disk
       EXPECT_GT(fs::file_size(path), 1000U) << writer.ending;
       fs::remove(path);
     }

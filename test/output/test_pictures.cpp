@@ -61,16 +61,16 @@ private:
 
 constexpr std::uint32_t orange = 0xd55e00;
 
-std::string curve(const Grid<2>& grid, const Cell_set<2>& cells, const Output_options& options = {})
+std::string curve(const Raster<2>& cells, const Output_options& options = {})
 {
   std::ostringstream out;
-  draw_curve_png(out, grid, cells, options);
+  draw_curve_png(out, cells, options);
   return out.str();
 }
 
-long orange_pixels(const Grid<2>& grid, std::vector<std::pair<Cell<2>, Verdict>> cells)
+long orange_pixels(const Grid<2>& grid, const std::vector<Plotted_cell<2>>& cells)
 {
-  return Picture(curve(grid, test::cell_set<2>(std::move(cells)))).count(orange);
+  return Picture(curve(test::raster(grid, cells))).count(orange);
 }
 
 TEST(Curve_picture, draws_cells_of_equal_size)
@@ -94,7 +94,7 @@ TEST(Curve_picture, can_show_all_plotted_cells_alike)
   Output_options options;
   options.colouring = Colouring::plotted;
   const auto grid = test::grid<2>(4);
-  EXPECT_EQ(Picture(curve(grid, test::cell_set<2>({{{1, 1}, Verdict::unknown}}), options)).count(orange), 0);
+  EXPECT_EQ(Picture(curve(test::raster(grid, {{{1, 1}, Verdict::unknown}}), options)).count(orange), 0);
 }
 
 TEST(Curve_picture, survives_strange_boxes)
@@ -104,7 +104,7 @@ TEST(Curve_picture, survives_strange_boxes)
                            Rational_interval(Rational(0), 1 / huge), Rational_interval(-1000000, -999999)})
     for (const auto& other : {side, Rational_interval(0, 1)}) {
       const Grid<2> grid({side, other}, {30, 20});
-      const Picture picture(curve(grid, test::cell_set<2>({{{1, 1}, Verdict::unknown}})));
+      const Picture picture(curve(test::raster(grid, {{{1, 1}, Verdict::unknown}})));
       EXPECT_GT(picture.count(orange), 0);
     }
 }
@@ -114,32 +114,32 @@ TEST(Curve_picture, refuses_sizes_it_cannot_draw)
   Output_options options;
   for (const unsigned size : {0U, 63U, 8193U, 4000000000U}) {
     options.size = size;
-    EXPECT_THROW(curve(test::grid<2>(4), {}, options), Invalid_input);
+    EXPECT_THROW(curve(test::raster(test::grid<2>(4), {}), options), Invalid_input);
   }
   for (const unsigned size : {64U, 100U}) {
     options.size = size;
-    Picture(curve(test::grid<2>(300), {}, options));
+    Picture(curve(test::raster(test::grid<2>(300), {}), options));
   }
 }
 
 TEST(Curve_picture, is_an_svg_too)
 {
   std::ostringstream out;
-  draw_curve_svg(out, test::grid<2>(4), test::cell_set<2>({{{1, 1}, Verdict::hit}}), {});
+  draw_curve_svg(out, test::raster(test::grid<2>(4), {{{1, 1}, Verdict::hit}}), {});
   EXPECT_NE(out.str().find("<svg"), std::string::npos);
   EXPECT_NE(out.str().find("</svg>"), std::string::npos);
 }
 
-std::string voxels(const Grid<3>& grid, const Cell_set<3>& cells)
+std::string voxels(const Raster<3>& cells)
 {
   std::ostringstream out;
-  draw_voxels_png(out, grid, cells, {});
+  draw_voxels_png(out, cells, {});
   return out.str();
 }
 
 TEST(Voxel_picture, shows_three_faces_of_a_cube_in_three_shades)
 {
-  const Picture picture(voxels(test::grid<3>(2), test::cell_set<3>({{{0, 0, 0}, Verdict::hit}})));
+  const Picture picture(voxels(test::raster(test::grid<3>(2), {{{0, 0, 0}, Verdict::hit}})));
   EXPECT_GT(picture.count(0xbfd4eb), 1000); // top
   EXPECT_GT(picture.count(0x9dadc0), 1000); // front
   EXPECT_GT(picture.count(0x768392), 500);  // right
@@ -151,17 +151,17 @@ TEST(Voxel_picture, hides_what_is_behind)
   const auto slab = test::select<3>(grid, [](const Cell<3>& cell) {
     return cell[1] == 0 ? Verdict::hit : cell == Cell<3>{3, 4, 1} ? Verdict::unknown : Verdict::empty;
   });
-  const auto alone = test::cell_set<3>({{{3, 4, 1}, Verdict::unknown}});
+  const auto alone = test::raster(grid, {{{3, 4, 1}, Verdict::unknown}});
   const std::uint32_t top = 0xcc540d;
-  const long legend = Picture(voxels(grid, slab)).count(top);
-  EXPECT_GT(Picture(voxels(grid, alone)).count(top), legend);
+  const long legend = Picture(voxels(slab)).count(top);
+  EXPECT_GT(Picture(voxels(alone)).count(top), legend);
 }
 
 TEST(Voxel_picture, loses_no_cell_of_a_large_grid)
 {
   const std::uint32_t n = 1U << 30;
-  const auto cells = test::cell_set<3>({{{n / 2, n / 2, n / 2}, Verdict::hit}});
-  const std::string one = voxels(test::grid<3>(n), cells);
+  const auto cells = test::raster(test::grid<3>(n), {{{n / 2, n / 2, n / 2}, Verdict::hit}});
+  const std::string one = voxels(cells);
   std::set<std::uint32_t> colours;
   const Picture picture(one);
   // The legend says "hit 1"; beyond it something must be drawn in the middle of the box.

@@ -76,6 +76,29 @@ TEST(Stopping, a_certificate_keeps_what_is_proved_or_nothing)
   }
 }
 
+// Exact fractions of high degree: some cells are decided within the time, and never all of them.
+TEST(Stopping, a_localisation_keeps_what_is_proved_or_nothing)
+{
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const Temporary_folder folder;
+    Program_limits limits;
+    limits.folder = folder.path();
+    limits.seconds = 30;
+    limits.interrupt_after = std::chrono::milliseconds(1500);
+    limits.signals = {signal};
+    const auto run = run_program({"localize", "(x^30 + y^30 - 1/3)^2 + (x - y)^60/7", "--box", "-2:2,-2:2",
+                                  "--resolution", "512", "--number", "rational", "--plus", "--output", "a.csv"},
+                                 limits);
+    EXPECT_EQ(run.exit_code, 128 + signal) << run.err;
+    expect_one_line(run.err, "interrupted");
+    EXPECT_EQ(folder.files(), run.out.empty() ? Words{} : Words{"a.csv"}) << what(signal);
+    if (run.out.empty()) continue;
+    const auto summary = nlohmann::json::parse(run.out);
+    EXPECT_GT(summary["not_visited"], 0) << what(signal);
+    EXPECT_GE(summary["unknown"], summary["not_visited"]) << what(signal);
+  }
+}
+
 // Twelve million lines, two seconds of writing.
 TEST(Stopping, a_file_that_is_being_written_is_left_out)
 {

@@ -2,7 +2,7 @@
 #ifndef CORRAL_OUTPUT_STRANGER_FORMAT_H
 #define CORRAL_OUTPUT_STRANGER_FORMAT_H
 
-#include <corral/localization/Cell_set.h>
+#include <corral/localization/Raster.h>
 #include <corral/output/Output_options.h>
 
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace corral {
 
 /// The sum of the indices of each plotted cell, one a line.
 template <std::size_t D>
-void write_stranger(std::ostream& out, const Grid<D>&, const Cell_set<D>& cells, const Output_options&)
+void write_stranger(std::ostream& out, const Raster<D>& cells, const Output_options&)
 {
   cells.for_each_sorted([&](const Cell<D>& cell, Verdict) {
     std::size_t sum = 0;

@@ -8,7 +8,7 @@
 #include <corral/audit/audit_number.h>
 #include <corral/audit/root_oracles.h>
 #include <corral/bounders/Any_bounder.h>
-#include <corral/localization/localize_fast.h>
+#include <corral/localization/localize.h>
 #include <corral/number/all.h>
 #include <corral/output/all.h>
 #include <corral/polynomial/parse.h>
@@ -49,11 +49,10 @@ TEST(Recipes, a_number_type_is_what_the_program_computes_with)
   Localize_settings settings;
   settings.method = method;
   const auto found = localize_over<Stranger_interval, 2>({circle()}, grid, settings);
-  EXPECT_TRUE(found.is_guaranteed);
-  localize_fast(circle(), grid).cells.for_each([&](const Cell<2>& cell, Verdict verdict) {
-    EXPECT_TRUE(verdict != Verdict::hit || found.cells.at(cell) != Verdict::empty) << cell[0] << ", " << cell[1];
-  });
-  EXPECT_LT(found.cells.plotted(), 64U);
+  EXPECT_TRUE(found.is_guaranteed());
+  for (const auto& [cell, verdict] : localize(circle(), grid))
+    EXPECT_TRUE(verdict != Verdict::hit || found.verdict(cell) != Verdict::empty) << cell[0] << ", " << cell[1];
+  EXPECT_LT(found.plotted(), 64U);
 }
 
 TEST(Recipes, a_bounder_is_chosen_by_name_and_conforms)
@@ -71,11 +70,10 @@ TEST(Recipes, a_writer_is_chosen_by_the_ending)
 {
   const auto path = std::filesystem::path(::testing::TempDir()) / "cells.stranger";
   const Grid<2> grid(square_of_side_4, {4, 4});
-  Cell_set<2> cells;
+  Raster_builder<2> cells;
   cells.append({3, 1}, Verdict::hit);
   cells.append({0, 2}, Verdict::unknown);
-  cells.finish();
-  write_file(path, grid, cells);
+  write_file(path, std::move(cells).finish(grid, true));
   std::ifstream in(path);
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), "2\n4\n");
   std::filesystem::remove(path);

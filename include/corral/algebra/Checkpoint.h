@@ -2,6 +2,8 @@
 #ifndef CORRAL_ALGEBRA_CHECKPOINT_H
 #define CORRAL_ALGEBRA_CHECKPOINT_H
 
+#include <corral/Run_options.h>
+
 #include <functional>
 
 namespace corral {
@@ -9,6 +11,13 @@ namespace corral {
 /// \brief Called now and then by exact computations that may run long. It stops them by throwing, `Cancelled` as a
 /// rule.
 using Checkpoint = std::function<void()>;
+
+/// The checkpoint of a run that cannot tell how much is done: it throws `Cancelled` in the name of `who`.
+[[nodiscard]] inline Checkpoint checkpoint_of(const Run_options& run, const char* who)
+{
+  if (!run.is_watched()) return {};
+  return [run, who] { detail::report_or_throw(run, 0, who); };
+}
 
 } // namespace corral
 

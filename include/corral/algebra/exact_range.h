@@ -24,18 +24,18 @@ struct Range_enclosure
 /// is cut, where the bound is worst, until the Bernstein coefficients of every part are close enough. All arithmetic is
 /// exact. A side of the box may be a point. \throw Invalid_input if it is not; Budget_exceeded if
 /// more than 200000 parts are needed;
-///      whatever `checkpoint` throws.
+///      Cancelled if it is stopped.
 /// \par Complexity  The parts needed grow like log(1/tolerance) around isolated extreme points, and like a root of
 ///      1/tolerance where an extreme value is taken along a curve.
 template <std::size_t D>
 [[nodiscard]] Range_enclosure exact_range(const Polynomial<Rational, D>& f, const Rational_box<D>& box,
-                                          const Rational& tolerance, const Checkpoint& checkpoint = {});
+                                          const Rational& tolerance, const Run_options& run = {});
 
 /// Higher dimensions do not compile: the number of parts would be out of reach.
 template <std::size_t D>
   requires(D > 3)
 [[nodiscard]] Range_enclosure exact_range(const Polynomial<Rational, D>&, const Rational_box<D>&, const Rational&,
-                                          const Checkpoint& = {}) = delete;
+                                          const Run_options& = {}) = delete;
 
 } // namespace corral
 

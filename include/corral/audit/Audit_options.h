@@ -3,11 +3,10 @@
 #define CORRAL_AUDIT_AUDIT_OPTIONS_H
 
 #include <cstdint>
-#include <functional>
 
 namespace corral {
 
-/// How long an audit looks for a counterexample, and among which cases.
+/// Among which cases an audit looks for a counterexample.
 struct Audit_options
 {
   std::uint64_t seed = 1;
@@ -17,8 +16,6 @@ struct Audit_options
   std::uint64_t cases = 1000;
   std::uint64_t tightness_cases = 0; ///< boxes on which bounds are compared with the exact range (D <= 3)
   bool stop_at_first = false;        ///< end with the first case that shows a fault
-  /// Called before each case with the share done, 0 to 1; `false` stops, and what was counted by then is returned.
-  std::function<bool(double)> progress{};
 };
 
 } // namespace corral

@@ -2,6 +2,7 @@
 #ifndef CORRAL_AUDIT_AUDIT_BOUNDER_H
 #define CORRAL_AUDIT_AUDIT_BOUNDER_H
 
+#include <corral/Run_options.h>
 #include <corral/algebra/exact_range.h>
 #include <corral/audit/Audit_options.h>
 #include <corral/audit/audit_cases.h>
@@ -56,6 +57,7 @@ struct Bounder_audit
   std::uint64_t escapes = 0; ///< boxes with a value outside the bound
   std::optional<Escape<D>> first_escape;
   std::vector<Tightness_sample> tightness;
+  bool was_stopped = false; ///< before all cases were tried
 };
 
 namespace detail {
@@ -130,7 +132,7 @@ void measure_tightness(const Make& make, const Audit_case<D>& example, Bounder_a
 
 /// \param inclusion_case,tightness  a function from the number of a case to the case, for either purpose.
 template <IntervalNumber I, std::size_t D, class Make, class Inclusion_case, class Tightness_case>
-[[nodiscard]] Bounder_audit<D> audit_over(const Make& make, const Audit_options& options,
+[[nodiscard]] Bounder_audit<D> audit_over(const Make& make, const Audit_options& options, const Run_options& run,
                                           const Inclusion_case& inclusion_case, const Tightness_case& tightness)
 {
   Bounder_audit<D> audit;
@@ -138,7 +140,11 @@ template <IntervalNumber I, std::size_t D, class Make, class Inclusion_case, cla
   const std::uint64_t tightness_cases = D <= 3 ? options.tightness_cases : 0;
   const auto total = static_cast<double>(options.cases + tightness_cases);
   std::uint64_t done = 0;
-  const auto goes_on = [&] { return !options.progress || options.progress(static_cast<double>(done++) / total); };
+  const auto goes_on = [&] {
+    if (run.progress) run.progress(static_cast<double>(done++) / total);
+    audit.was_stopped = run.stop.stop_requested();
+    return !audit.was_stopped;
+  };
   for (std::uint64_t i = 0; i < options.cases; ++i) {
     if (!goes_on()) return audit;
     const std::uint64_t number = options.first_case + i;
@@ -156,33 +162,35 @@ template <IntervalNumber I, std::size_t D, class Make, class Inclusion_case, cla
 /// \brief Looks for values that a bounder loses, on generated cases.
 ///
 /// `make(f)` for a `Polynomial<I, D>` returns something whose `bound(box)` takes a `Box<I, D>` and returns an `I`; one
-/// object is asked for all boxes of a case. Whatever either throws comes out.
-/// \par Complexity  Per case some dozens of exact evaluations, which outweigh most bounds.
+/// object is asked for all boxes of a case. Whatever either throws comes out. When it is stopped, before a case, what
+/// was counted by then is returned. \par Complexity  Per case some dozens of exact evaluations, which outweigh most
+/// bounds.
 template <IntervalNumber I, std::size_t D, class Make>
-[[nodiscard]] Bounder_audit<D> audit_bounder(const Make& make, const Audit_options& options = {})
+[[nodiscard]] Bounder_audit<D> audit_bounder(const Make& make, const Audit_options& options = {},
+                                             const Run_options& run = {})
 {
   return detail::audit_over<I, D>(
-      make, options, [&](std::uint64_t number) { return generated_case<D>(options.seed, number); },
+      make, options, run, [&](std::uint64_t number) { return generated_case<D>(options.seed, number); },
       [&](std::uint64_t number) { return tightness_case<D>(options.seed, number); });
 }
 
 /// \brief As above on given polynomials, in turn, and boxes of their grids. \pre `subjects` is not empty.
 template <IntervalNumber I, std::size_t D, class Make>
 [[nodiscard]] Bounder_audit<D> audit_bounder(const Make& make, std::span<const Audit_subject<D>> subjects,
-                                             const Audit_options& options = {})
+                                             const Audit_options& options = {}, const Run_options& run = {})
 {
   const auto of_subject = [&](std::uint64_t number) {
     return subject_case(subjects[number % subjects.size()], options.seed, number);
   };
-  return detail::audit_over<I, D>(make, options, of_subject, of_subject);
+  return detail::audit_over<I, D>(make, options, run, of_subject, of_subject);
 }
 
 /// As above for a model of `RangeBounder`, on generated cases.
 template <RangeBounder B>
-[[nodiscard]] Bounder_audit<B::dimension> audit_bounder(const Audit_options& options = {})
+[[nodiscard]] Bounder_audit<B::dimension> audit_bounder(const Audit_options& options = {}, const Run_options& run = {})
 {
   return audit_bounder<typename B::Interval, B::dimension>([](const typename B::Polynomial& f) { return B(f); },
-                                                           options);
+                                                           options, run);
 }
 
 /// The whole counterexample on several lines, every number exactly.

@@ -2,6 +2,7 @@
 #ifndef CORRAL_AUDIT_AUDIT_NUMBER_H
 #define CORRAL_AUDIT_AUDIT_NUMBER_H
 
+#include <corral/Run_options.h>
 #include <corral/audit/Audit_options.h>
 #include <corral/audit/Trouble_source.h>
 #include <corral/errors.h>
@@ -36,6 +37,7 @@ struct Number_audit
   std::uint64_t checks = 0; ///< exact values looked for in results
   std::uint64_t faults = 0; ///< pairs of operands with a wrong result
   std::optional<Number_fault> first_fault;
+  bool was_stopped = false; ///< before all cases were tried
 };
 
 namespace detail {
@@ -308,12 +310,14 @@ private:
 ///
 /// `tightness_cases` of the options is not used. \throw Unsafe_environment as the scope of the type.
 template <IntervalNumber I>
-[[nodiscard]] Number_audit audit_number(const Audit_options& options = {})
+[[nodiscard]] Number_audit audit_number(const Audit_options& options = {}, const Run_options& run = {})
 {
   const Arithmetic_scope<I> scope;
-  Number_audit audit{std::string(Interval_traits<I>::name), 0, 0, 0, {}};
+  Number_audit audit{std::string(Interval_traits<I>::name), 0, 0, 0, {}, false};
   for (std::uint64_t i = 0; i < options.cases; ++i) {
-    if (options.progress && !options.progress(static_cast<double>(i) / static_cast<double>(options.cases))) break;
+    if (run.progress) run.progress(static_cast<double>(i) / static_cast<double>(options.cases));
+    audit.was_stopped = run.stop.stop_requested();
+    if (audit.was_stopped) break;
     const detail::Number_case<I> example(options.seed, options.first_case + i);
     ++audit.cases;
     audit.checks += example.checks();

@@ -2,6 +2,7 @@
 #ifndef CORRAL_CERTIFICATE_CERTIFICATE_H
 #define CORRAL_CERTIFICATE_CERTIFICATE_H
 
+#include <corral/Run_options.h>
 #include <corral/decision/Witness.h>
 #include <corral/localization/Grid.h>
 #include <corral/polynomial/Polynomial.h>
@@ -11,7 +12,6 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -106,9 +106,6 @@ struct Certify_options
 {
   /// The number of boxes into which one cell may be cut to prove that it is empty.
   std::size_t max_boxes = std::size_t{1} << 16;
-  /// Called before each box, and during long steps, with the part of the grid that is done (0 to 1); `false` stops.
-  /// What is proved by then is kept, and the rest is unknown.
-  std::function<bool(double)> progress{};
   /// How long a stop waits for a step of algebra that is under way, as in `Ideal_raster_options`: without a value until
   /// its end, with one it is left to a thread of its own, and its cell is unknown.
   std::optional<std::chrono::milliseconds> patience{};
@@ -120,7 +117,8 @@ struct Certify_options
 /// the few others by points and boxes that doubles have guessed, or they are decided by `Cell_decider` or
 /// `System_decider` and proved by the witness, or near misses by critical multipliers. A decision that leaves
 /// no witness which the format can hold is given up as unknown, with a reason, and so is what would cost too much:
-/// nothing is written that a checker would refuse.
+/// nothing is written that a checker would refuse. When it is stopped the rest is unknown, and the reasons say so. It
+/// works in one thread.
 ///
 /// \param system  one polynomial, or in two and three dimensions two of them, whose common zeros are asked for.
 /// \throw Invalid_input if a polynomial is zero, their number is not as above or the grid has 2^62 cells or more.
@@ -129,14 +127,14 @@ struct Certify_options
 /// \par Complexity  As for an ideal raster; n^2/2 additions of integers for each box and line of degree n.
 template <std::size_t D>
 [[nodiscard]] Certificate<D> certify(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
-                                     const Certify_options& options = {});
+                                     const Run_options& run = {}, const Certify_options& options = {});
 
 /// The same for one polynomial.
 template <std::size_t D>
-[[nodiscard]] Certificate<D> certify(const Polynomial<Rational, D>& f, const Grid<D>& grid,
+[[nodiscard]] Certificate<D> certify(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Run_options& run = {},
                                      const Certify_options& options = {})
 {
-  return certify(std::vector{f}, grid, options);
+  return certify(std::vector{f}, grid, run, options);
 }
 
 /// The certificate as JSON text. \throw Invalid_input if two variables have the same name.

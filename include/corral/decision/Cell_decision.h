@@ -3,9 +3,11 @@
 #define CORRAL_DECISION_CELL_DECISION_H
 
 #include <corral/decision/Witness.h>
+#include <corral/localization/Grid.h>
 #include <corral/localization/Verdict.h>
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -40,6 +42,17 @@ struct Cell_decision
   Witness<D> witness{};
   std::string reason{}; ///< why the cell is unknown; empty if it is not
 };
+
+/// \brief Decides closed cells of one grid, one after another; every verdict is proved.
+///
+/// `decide(cell)` takes a cell of the grid and may throw `Cancelled`, after which it can be asked again.
+// clang-format off
+template <class T, std::size_t D>
+concept CellDecider =
+  std::movable<T> && requires(T decider, const Cell<D>& cell) {
+    { decider.decide(cell) } -> std::same_as<Cell_decision<D>>;
+  };
+// clang-format on
 
 } // namespace corral
 

@@ -4,15 +4,13 @@
 
 #include <corral/algebra/real_roots.h>
 #include <corral/decision/Cell_decision.h>
-#include <corral/localization/Cell_set.h>
-#include <corral/localization/Grid.h>
+#include <corral/localization/Raster.h>
 #include <corral/polynomial/Polynomial.h>
 
 #include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -60,23 +58,17 @@ private:
   std::unique_ptr<State> state_;
 };
 
-/// How to make an ideal raster.
+/// What to do besides deciding cells.
 struct Ideal_raster_options
 {
-  /// Called now and then with the number of cells decided and to decide; `false` stops. What is proved then is kept
-  /// and the remaining cells stay unknown.
-  /// Only the calling thread calls it.
-  std::function<bool(std::uint64_t done, std::uint64_t total)> progress{};
   /// How long a stop waits for a step of algebra that is under way. Without a value it waits for its end. With one, all
   /// work is done in threads of its own; one that has not stopped by then is left to itself, and what it finds is
   /// dropped. It holds its own copy of everything and ends with its step; a process that exits does not wait for it.
   std::optional<std::chrono::milliseconds> patience{};
-  /// Threads that decide cells, 0 for one a processor. The result does not depend on it.
-  unsigned threads = 1;
   /// Whether to say of each plotted cell who decided it.
   bool keep_rungs = false;
   /// Whether to decide every cell of the grid again without floats, those that the localisation called `empty` or `hit`
-  /// included. `progress` then counts the cells of this second pass. Costs in proportion to the cells near zeros.
+  /// included. The progress is then that of each pass. Costs in proportion to the cells near zeros.
   bool recheck = false;
 };
 
@@ -115,32 +107,32 @@ struct Rung_counts
 template <std::size_t D>
 struct Ideal_raster
 {
-  Cell_set<D> cells;                            ///< the cells that are hit, and unknown ones if any are left
-  Rung_counts rungs;                            ///< of the cells that were given as plotted
-  std::map<std::string, std::uint64_t> reasons; ///< why cells are unknown, with their number
-  std::vector<Decided_cell<D>> decided;         ///< every plotted cell, sorted, if `keep_rungs` was given
+  Raster<D> raster;                               ///< cells that are hit, and unknown ones if any are left
+  Rung_counts rungs{};                            ///< of the cells that were given as plotted
+  std::map<std::string, std::uint64_t> reasons{}; ///< why cells are unknown, with their number
+  std::vector<Decided_cell<D>> decided{};         ///< every plotted cell, sorted, if `keep_rungs` was given
   double rechecked = 0; ///< cells of the grid decided a second time, all without contradiction; exact up to 2^53
 };
 
 /// \brief Decides every unknown cell of `candidates` exactly.
-/// \param candidates  a localisation of f on this grid: every cell with a zero is plotted, and what is called hit is
-///        proved. Cells that it calls empty or hit are taken over.
-/// \pre `candidates` is a certified localisation (`is_guaranteed`), else the result is worth no more than it is.
-/// \throw Invalid_input if `f` is zero, or `candidates` are of another grid. Contradiction if `recheck` is asked for and
+/// Only the calling thread calls back. When it is stopped the remaining cells stay unknown.
+/// \param candidates  a raster of f: every cell with a zero is plotted, and what is called hit is proved. Cells that it
+///        calls empty or hit are taken over, and so are those that it has not visited, as unknown.
+/// \throw Invalid_input if `f` is zero, or `candidates` is not guaranteed. Contradiction if `recheck` is asked for and
 ///        finds one.
 /// \par Complexity  See `Cell_decider::decide`; memory for the cells and for one polynomial's resultants.
 template <std::size_t D>
-[[nodiscard]] Ideal_raster<D> ideal_raster(const Polynomial<Rational, D>& f, const Grid<D>& grid,
-                                           const Cell_set<D>& candidates, const Ideal_raster_options& options = {});
+[[nodiscard]] Ideal_raster<D> ideal_raster(const Polynomial<Rational, D>& f, const Raster<D>& candidates,
+                                           const Run_options& run = {}, const Ideal_raster_options& options = {});
 
 /// Higher dimensions do not compile, and `Cell_decider` says why.
 template <std::size_t D>
   requires(D > 3)
-[[nodiscard]] Ideal_raster<D> ideal_raster(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Cell_set<D>&,
-                                           const Ideal_raster_options& = {})
+[[nodiscard]] Ideal_raster<D> ideal_raster(const Polynomial<Rational, D>& f, const Raster<D>& candidates,
+                                           const Run_options& = {}, const Ideal_raster_options& = {})
 {
-  (void)Cell_decider<D>(f, grid);
-  return {};
+  (void)Cell_decider<D>(f, candidates.grid());
+  return {candidates};
 }
 
 } // namespace corral

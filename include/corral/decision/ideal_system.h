@@ -47,17 +47,19 @@ private:
 /// \brief Decides every unknown cell of `candidates` for the common zeros of a system of one or two polynomials.
 /// \pre and \throw as for `System_decider` and `ideal_raster`.
 template <std::size_t D>
-[[nodiscard]] Ideal_raster<D> ideal_raster(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
-                                           const Cell_set<D>& candidates, const Ideal_raster_options& options = {});
+[[nodiscard]] Ideal_raster<D> ideal_raster(const std::vector<Polynomial<Rational, D>>& system,
+                                           const Raster<D>& candidates, const Run_options& run = {},
+                                           const Ideal_raster_options& options = {});
 
 /// Other dimensions do not compile, and `System_decider` says why.
 template <std::size_t D>
   requires(D != 2 && D != 3)
-[[nodiscard]] Ideal_raster<D> ideal_raster(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
-                                           const Cell_set<D>&, const Ideal_raster_options& = {})
+[[nodiscard]] Ideal_raster<D> ideal_raster(const std::vector<Polynomial<Rational, D>>& system,
+                                           const Raster<D>& candidates, const Run_options& = {},
+                                           const Ideal_raster_options& = {})
 {
-  (void)System_decider<D>(system, grid);
-  return {};
+  (void)System_decider<D>(system, candidates.grid());
+  return {candidates};
 }
 
 } // namespace corral

@@ -2,8 +2,9 @@
 #ifndef CORRAL_LOCALIZATION_BOUNDER_FORM_H
 #define CORRAL_LOCALIZATION_BOUNDER_FORM_H
 
+#include <corral/Run_options.h>
 #include <corral/bounders/Range_bounder.h>
-#include <corral/localization/Localization.h>
+#include <corral/localization/Raster_builder.h>
 #include <corral/localization/Subdivision.h>
 #include <corral/polynomial/evaluate.h>
 
@@ -19,32 +20,42 @@
 
 namespace corral {
 
+/// How cells of grid size are treated.
+struct Cell_options
+{
+  bool sample = false;       ///< look for changes of sign at the corners
+  unsigned refine_depth = 0; ///< how often a cell is halved to prove it empty
+};
+
 /// \brief Model of `SubdivisionForm`: bounds every box afresh from the polynomials, as the paper does.
 ///
 /// A node is kept while no polynomial excludes it. At grid size, point sampling may accept a cell (a change of sign
 /// of the only polynomial between corners, or a corner where every polynomial is exactly zero) and refinement may
-/// drop one all of whose subcells are excluded. A cell is a hit by the former only.
+/// drop one all of whose subcells are excluded. A cell is a hit by the former only. When it is stopped it keeps every
+/// node that it has not bounded and takes it over whole, as one that was not visited.
 ///
 /// \tparam B  model of `RangeBounder`.
-template <RangeBounder B>
+/// \tparam F  what tells the values at corners: the polynomial that B bounds, or B itself.
+template <RangeBounder B, class F = typename B::Polynomial>
 class Bounder_form
 {
 public:
   using I = typename B::Interval;
   static constexpr std::size_t D = B::dimension;
   using Node = Subdivision_node<D>;
-  using System = std::vector<Polynomial<I, D>>;
+  using System = std::vector<F>;
 
   /// \throw Invalid_input unless there is one bounder for each polynomial, in the same order.
   /// \pre An `Arithmetic_scope` of I is alive, as the arithmetic of I checks where assertions are on.
-  Bounder_form(System system, std::vector<B> bounders, Grid<D> grid, Localization_options options)
-      : system_(std::move(system)), bounders_(std::move(bounders)), grid_(std::move(grid)),
-        options_(std::move(options)), tree_(grid_.resolution()), stack_(tree_.root().level + 1), middles_(stack_.size())
+  Bounder_form(System system, std::vector<B> bounders, Grid<D> grid, const Run_options& run,
+               const Cell_options& options)
+      : system_(std::move(system)), bounders_(std::move(bounders)), grid_(std::move(grid)), run_(run),
+        options_(options), budget_(run.cell_budget.value_or(50'000'000)), tree_(grid_.resolution()),
+        stack_(tree_.root().level + 1), middles_(stack_.size())
   {
     if (system_.size() != bounders_.size())
       throw Invalid_input("localize: given " + detail::quantity(bounders_.size(), "bounder") + " for "
                           + detail::quantity(system_.size(), "polynomial") + "; expected one for each");
-    result_.cells.set_grid(grid_);
   }
 
   bool begin(const Node& root)
@@ -55,10 +66,11 @@ public:
     return may_vanish(box_of(sides));
   }
 
-  [[nodiscard]] bool decides(const Node& node) const { return node.level == 0; }
+  [[nodiscard]] bool decides(const Node& node) const { return node.level == 0 || stopped_; }
 
   void decide(const Node& cell)
   {
+    if (stopped_) return leave(cell);
     report(cell);
     if (options_.sample && has_sampled_zero(stack_[0])) return emit(cell, Verdict::hit);
     if (options_.refine_depth == 0 || survives(grid_.cell_box(cell.corner), options_.refine_depth))
@@ -67,7 +79,7 @@ public:
 
   unsigned split(const Node& node, unsigned children)
   {
-    ++result_.counters.subdivisions;
+    ++counters_.subdivisions;
     middles_[node.level] = middle(node);
     unsigned kept = 0;
     for (unsigned rest = children; rest != 0; rest &= rest - 1) {
@@ -86,12 +98,12 @@ public:
   }
 
   /// What was found. \throw Invalid_input if the loop has not begun.
-  [[nodiscard]] Localization<D> take()
+  [[nodiscard]] Raster_builder<D> take()
   {
     if (!has_begun_) detail::refuse_input("Bounder_form: asked before the subdivision has run; expected it to have");
-    result_.cells.finish();
     return std::move(result_);
   }
+  [[nodiscard]] const Work_counters& counters() const { return counters_; }
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -128,8 +140,10 @@ private:
   bool may_vanish(const Box<I, D>& box)
   {
     return std::all_of(bounders_.begin(), bounders_.end(), [&](const B& bounder) {
-      ++result_.counters.bounds;
-      if (options_.progress && result_.counters.bounds % 16 == 0) tell_if_slow();
+      stopped_ = stopped_ || run_.stop.stop_requested();
+      if (stopped_) return true; // nothing is known of the box
+      ++counters_.bounds;
+      if (run_.progress && counters_.bounds % 16 == 0) tell_if_slow();
       return contains_zero(bounder.bound(box));
     });
   }
@@ -144,7 +158,7 @@ private:
         point[axis] = (corner >> axis & 1) != 0 ? sides[axis].second : sides[axis].first;
       bool is_zero = true;
       for (const auto& f : system_) {
-        const I value = evaluate(f, point);
+        const I value = value_at(f, point);
         is_zero = is_zero && Interval_traits<I>::lower_sign(value) == 0 && Interval_traits<I>::upper_sign(value) == 0;
         has_positive = has_positive || strict_sign(value) > 0;
         has_negative = has_negative || strict_sign(value) < 0;
@@ -154,10 +168,13 @@ private:
     return system_.size() == 1 && has_positive && has_negative;
   }
 
+  static I value_at(const typename B::Polynomial& f, const std::array<I, D>& point) { return evaluate(f, point); }
+  static I value_at(const B& bounder, const std::array<I, D>& point) { return bounder.bound(point); }
+
   // Whether some subcell is not excluded.
   bool survives(const Rational_box<D>& box, unsigned depth)
   {
-    ++result_.counters.subdivisions;
+    ++counters_.subdivisions;
     bool is_kept = false;
     for (unsigned child = 0; child < (1U << D); ++child) {
       Rational_box<D> half = box;
@@ -173,10 +190,17 @@ private:
 
   void emit(const Node& cell, Verdict verdict)
   {
-    if (++emitted_ > options_.cell_budget)
-      throw Budget_exceeded("localize: more than " + std::to_string(options_.cell_budget)
+    if (++emitted_ > budget_)
+      throw Budget_exceeded("localize: more than " + std::to_string(budget_)
                             + " cells are not empty; expected at most that many");
-    result_.cells.append(cell.corner, verdict);
+    result_.append(cell.corner, verdict);
+  }
+
+  void leave(const Node& node)
+  {
+    Cell<D> end;
+    for (std::size_t axis = 0; axis < D; ++axis) end[axis] = tree_.end(node, axis);
+    result_.leave({node.corner, end});
   }
 
   // Adds the node's share of the grid to what is done.
@@ -199,22 +223,26 @@ private:
   void tell()
   {
     told_ = Clock::now();
-    if (options_.progress && !options_.progress(std::min(done_, 1.0))) throw Cancelled("localize: stopped on request");
+    if (run_.progress) run_.progress(std::min(done_, 1.0));
   }
 
   System system_;
   std::vector<B> bounders_;
   Grid<D> grid_;
-  Localization_options options_;
+  Run_options run_;
+  Cell_options options_;
+  std::uint64_t budget_;
   Subdivision_tree<D> tree_;
   std::vector<Sides> stack_;
   std::vector<std::array<I, D>> middles_; // of the last split at each level
-  Localization<D> result_;
+  Raster_builder<D> result_;
+  Work_counters counters_;
   std::uint64_t emitted_ = 0;
   std::uint64_t reports_ = 0;
   Clock::time_point told_ = Clock::now();
   double done_ = 0;
   bool has_begun_ = false;
+  bool stopped_ = false;
 };
 
 } // namespace corral

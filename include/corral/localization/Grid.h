@@ -5,11 +5,13 @@
 #include <corral/errors.h>
 #include <corral/polynomial/Box.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace corral {
 
@@ -46,6 +48,14 @@ public:
       step_[axis] = (side.upper() - side.lower()) / resolution_[axis];
     }
   }
+
+  /// \brief The same box, cut into `cells` along each axis: `Grid({{-2, 2}, {-1, 1}}, 64)` is a `Grid<2>`.
+  /// \throw as above.
+  Grid(const Rational_interval (&box)[D], std::uint32_t cells) : Grid(std::to_array(box), uniform(cells)) {}
+  /// The same with a number of cells for each axis: `Grid({{-2, 2}, {-1, 1}}, {64, 32})`.
+  Grid(const Rational_interval (&box)[D], const std::uint32_t (&cells)[D])
+      : Grid(std::to_array(box), std::to_array(cells))
+  {}
 
   [[nodiscard]] const Rational_box<D>& box() const { return box_; }
   [[nodiscard]] const Resolution<D>& resolution() const { return resolution_; }
@@ -89,6 +99,38 @@ public:
     return result;
   }
 
+  /// The closed cells that contain a point, in order: one to 2^D, none if it lies outside the box.
+  [[nodiscard]] std::vector<Cell<D>> cells_at(const Rational_point<D>& point) const
+  {
+    Cell<D> first{};
+    Cell<D> last{};
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      const Rational place = (point[axis] - box_[axis].lower()) / step_[axis];
+      if (sgn(place) < 0 || place > resolution_[axis]) return {};
+      const auto floor = static_cast<std::uint32_t>(Integer(place.get_num() / place.get_den()).get_ui());
+      const bool is_line = place.get_num() % place.get_den() == 0;
+      first[axis] = floor > 0 && is_line ? floor - 1 : floor;
+      last[axis] = std::min(floor, resolution_[axis] - 1);
+    }
+    return cells_between(first, last);
+  }
+
+  /// The cells that share a point with this one, in order: at most 3^D - 1. \throw Invalid_input unless it is one of
+  /// the grid.
+  [[nodiscard]] std::vector<Cell<D>> neighbours(const Cell<D>& cell) const
+  {
+    require(cell, "grid");
+    Cell<D> first = cell;
+    Cell<D> last = cell;
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      first[axis] -= cell[axis] > 0 ? 1 : 0;
+      last[axis] += cell[axis] + 1 < resolution_[axis] ? 1 : 0;
+    }
+    auto cells = cells_between(first, last);
+    cells.erase(std::find(cells.begin(), cells.end(), cell));
+    return cells;
+  }
+
   /// The number of cells; exact up to 2^53, then rounded.
   [[nodiscard]] double cell_count() const
   {
@@ -106,6 +148,27 @@ public:
   }
 
 private:
+  static Resolution<D> uniform(std::uint32_t cells)
+  {
+    Resolution<D> resolution;
+    resolution.fill(cells);
+    return resolution;
+  }
+
+  /// In lexicographic order, both ends included.
+  static std::vector<Cell<D>> cells_between(const Cell<D>& first, const Cell<D>& last)
+  {
+    std::vector<Cell<D>> cells{first};
+    for (std::size_t axis = D; axis > 0;) {
+      Cell<D> next = cells.back();
+      for (axis = D; axis > 0 && next[axis - 1] == last[axis - 1]; --axis) next[axis - 1] = first[axis - 1];
+      if (axis == 0) break;
+      ++next[axis - 1];
+      cells.push_back(next);
+    }
+    return cells;
+  }
+
   Rational_box<D> box_;
   Resolution<D> resolution_;
   std::array<Rational, D> step_;

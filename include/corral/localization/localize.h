@@ -2,82 +2,74 @@
 #ifndef CORRAL_LOCALIZATION_LOCALIZE_H
 #define CORRAL_LOCALIZATION_LOCALIZE_H
 
-#include <corral/errors.h>
-#include <corral/localization/Bounder_form.h>
-#include <corral/number/Counted.h>
-#include <corral/polynomial/integer_form.h>
+#include <corral/Run_options.h>
+#include <corral/localization/Raster.h>
+#include <corral/polynomial/Polynomial.h>
 
-#include <algorithm>
-#include <chrono>
-#include <concepts>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace corral {
 
-/// \brief The polynomial over I that `localize` bounds in place of f: with the same zeros, and without rounding
-/// where f times a positive integer has coefficients that doubles hold exactly, so that exact zeros at grid points can
-/// be certified. A number type without guarantee gets f as it is, as the paper's programs did.
-template <IntervalNumber I, std::size_t D>
-[[nodiscard]] Polynomial<I, D> enclosure_for_localization(const Polynomial<Rational, D>& f)
+/// \brief The cells of a grid through which the zero set of a polynomial may pass, by subdividing a Taylor form.
+///
+/// The polynomial is mapped exactly onto the grid and then kept, for every node of the 2^D-tree, in the node's own
+/// coordinates as doubles with a bound of every rounding error so far. Blocks of cells are decided together from the
+/// values at their corners. Where there are few terms of high degree, nodes are bounded by the terms instead; repeated
+/// factors are taken out where that matters. `empty` and `hit` are proved, whatever the coefficients; all else is
+/// `unknown`. The cells are the same, bit for bit, for every instruction set and number of threads. Of the counters,
+/// `bounds` tells the nodes of the tree and `seconds` the time. A run that is stopped keeps the parts of the tree that
+/// are decided by then.
+///
+/// \throw Invalid_input for the zero polynomial; Budget_exceeded if there are more plotted cells than
+///        `run.cell_budget`, where it is given, or the polynomial has too many coefficients; Unsafe_environment.
+/// \par Complexity  Time and memory proportional to the plotted cells; a node costs O(n^(D+1)) for degree n where n
+///      falls to 2 towards the cells. Proofs: doc/taylor_form.md.
+template <std::size_t D>
+[[nodiscard]] Raster<D> localize(const Polynomial<Rational, D>& f, const Grid<D>& grid, const Run_options& run = {});
+
+/// \brief The same for a system: a cell is plotted unless one of the polynomials has no zero in it.
+///
+/// All polynomials are subdivided together, so that a node which one of them drops is dropped for all. With several
+/// polynomials no cell is a `hit`.
+/// \throw As above; Invalid_input if `system` is empty.
+/// \par Complexity  Time and memory proportional to the cells plotted in the end, those of a space curve, not of the
+/// surfaces.
+template <std::size_t D>
+[[nodiscard]] Raster<D> localize(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+                                 const Run_options& run = {});
+
+namespace detail {
+
+template <std::size_t D>
+struct Fast_engine
 {
-  if constexpr (is_guaranteed<I>) {
-    const auto primitive = integer_primitive(f);
-    const auto is_small = [](const auto& term) { return mpz_sizeinbase(term.coefficient.get_mpz_t(), 2) <= 53; };
-    if (std::all_of(primitive.terms().begin(), primitive.terms().end(), is_small))
-      return transform<I>(primitive, [](const Integer& c) { return enclose<I>(Rational(c)); });
-  }
-  return transform<I>(f, [](const Rational& c) { return enclose<I>(c); });
+  static_assert(D == 2 || D == 3,
+                "localize works in two and three dimensions: its blocks of cells are 8 x 8 pixels "
+                "and 4 x 4 x 4 voxels. With a bounder (localize_with_bounder.h) it takes any dimension");
+  [[noreturn]] static Raster<D> refuse();
+};
+
+} // namespace detail
+
+/// Other dimensions do not compile, and `Fast_engine` says why.
+template <std::size_t D>
+  requires(D != 2 && D != 3)
+[[nodiscard]] Raster<D> localize(const Polynomial<Rational, D>&, const Grid<D>&, const Run_options& = {})
+{
+  return detail::Fast_engine<D>::refuse();
+}
+template <std::size_t D>
+  requires(D != 2 && D != 3)
+[[nodiscard]] Raster<D> localize(const std::vector<Polynomial<Rational, D>>&, const Grid<D>&, const Run_options& = {})
+{
+  return detail::Fast_engine<D>::refuse();
 }
 
-/// \brief Finds the cells of a grid through which the common zero set of polynomials may pass, by subdivision.
-///
-/// No cell that holds a common zero is lost if the bounder's number type is guaranteed; the result says whether it is.
-/// Memory is proportional to the cells found.
-///
-/// \tparam I    model of `IntervalNumber`.
-/// \param  make turns a `Polynomial<I, D>` into a model of `RangeBounder`.
-/// \throw Invalid_input if there is no polynomial or one is zero (every point is a zero); Budget_exceeded;
-///        Cancelled; Unsafe_environment.
-/// \par Complexity  2^D bounds a polynomial for each box that is cut.
-/// \par Reference  Suffern, "Quadtree algorithms for contouring functions of two variables", The Computer Journal 33
-///      (1990); Shou et al. (2005), see `Recursive_taylor_bounder`.
-template <IntervalNumber I, std::size_t D, class Make>
-[[nodiscard]] Localization<D> localize(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
-                                       const Localization_options& options, const Make& make)
-{
-  using Bounder = decltype(make(std::declval<const Polynomial<I, D>&>()));
-  if (system.empty()) throw Invalid_input("localize: given no polynomial; expected at least one");
-  const auto start = std::chrono::steady_clock::now();
-  const Arithmetic_scope<I> scope;
-  const Counting_scope counting;
-  std::vector<Polynomial<I, D>> enclosed;
-  std::vector<Bounder> bounders;
-  for (const auto& f : system) {
-    if (f.is_zero()) throw Invalid_input("localize: given the zero polynomial, of which every point is a zero");
-    enclosed.push_back(enclosure_for_localization<I>(f));
-    bounders.push_back(make(enclosed.back()));
-  }
-  Bounder_form<Bounder> form(std::move(enclosed), std::move(bounders), grid, options);
-  subdivide(Subdivision_tree<D>(grid.resolution()), form);
-  Localization<D> result = form.take();
-  result.is_guaranteed = is_guaranteed<I>;
-  result.counters.additions = counting.counts().additions;
-  result.counters.multiplications = counting.counts().multiplications;
-  result.counters.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return result;
-}
-
-/// \brief `localize` with one bounder, such as `localize<Recursive_taylor_bounder<Outward_interval, 2>>({f}, grid)`.
-template <RangeBounder B>
-[[nodiscard]] Localization<B::dimension> localize(const std::vector<Polynomial<Rational, B::dimension>>& system,
-                                                  const Grid<B::dimension>& grid,
-                                                  const Localization_options& options = {})
-{
-  return localize<typename B::Interval, B::dimension>(system, grid, options,
-                                                      [](const typename B::Polynomial& f) { return B(f); });
-}
+extern template Raster<2> localize<2>(const Polynomial<Rational, 2>&, const Grid<2>&, const Run_options&);
+extern template Raster<3> localize<3>(const Polynomial<Rational, 3>&, const Grid<3>&, const Run_options&);
+extern template Raster<2> localize<2>(const std::vector<Polynomial<Rational, 2>>&, const Grid<2>&, const Run_options&);
+extern template Raster<3> localize<3>(const std::vector<Polynomial<Rational, 3>>&, const Grid<3>&, const Run_options&);
 
 } // namespace corral
 

@@ -22,7 +22,7 @@ struct Writer
 {
   std::string_view ending; ///< of the file name, with the dot
   std::string_view what;   ///< for people
-  void (*write)(std::ostream&, const Grid<D>&, const Cell_set<D>&, const Output_options&);
+  void (*write)(std::ostream&, const Raster<D>&, const Output_options&);
 };
 
 /// Every writer for D dimensions.
@@ -62,14 +62,12 @@ template <std::size_t D>
 }
 
 /// \brief Writes the cells to a file whose ending chooses the writer, whole or not at all.
-/// \pre `cells.finish()` has run.
 /// \throw Invalid_input for an unknown ending; Output_error if the file could not be written.
 template <std::size_t D>
-void write_file(const std::filesystem::path& path, const Grid<D>& grid, const Cell_set<D>& cells,
-                const Output_options& options = {})
+void write_file(const std::filesystem::path& path, const Raster<D>& raster, const Output_options& options = {})
 {
   const Writer<D> writer = writer_for<D>(path);
-  write_whole_file(path, [&](std::ostream& out) { writer.write(out, grid, cells, options); });
+  write_whole_file(path, [&](std::ostream& out) { writer.write(out, raster, options); });
 }
 
 } // namespace corral

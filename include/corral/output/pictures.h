@@ -2,7 +2,7 @@
 #ifndef CORRAL_OUTPUT_PICTURES_H
 #define CORRAL_OUTPUT_PICTURES_H
 
-#include <corral/localization/Cell_set.h>
+#include <corral/localization/Raster.h>
 #include <corral/output/Output_options.h>
 
 #include <ostream>
@@ -13,20 +13,18 @@
 namespace corral {
 
 /// \brief A curve in a frame with ticks and axis names, as in Figures 3 to 14 of the paper; PNG.
-/// \pre `cells.finish()` has run.
 /// \throw Invalid_input if `options.size` is out of range.
 /// \par Complexity  linear in the cells and the pixels; memory for the pixels.
-void draw_curve_png(std::ostream& out, const Grid<2>& grid, const Cell_set<2>& cells, const Output_options& options);
+void draw_curve_png(std::ostream& out, const Raster<2>& raster, const Output_options& options);
 
 /// The same picture as SVG.
-void draw_curve_svg(std::ostream& out, const Grid<2>& grid, const Cell_set<2>& cells, const Output_options& options);
+void draw_curve_svg(std::ostream& out, const Raster<2>& raster, const Output_options& options);
 
 /// \brief Voxels as shaded cubes in a box with ticks and axis names, seen from the lower right in front and above, as
 /// in Figures 15 to 24 of the paper; PNG.
-/// \pre `cells.finish()` has run.
 /// \throw Invalid_input if `options.size` is out of range.
 /// \par Complexity  n log n for n cells; memory for the cells and the pixels.
-void draw_voxels_png(std::ostream& out, const Grid<3>& grid, const Cell_set<3>& cells, const Output_options& options);
+void draw_voxels_png(std::ostream& out, const Raster<3>& raster, const Output_options& options);
 
 } // namespace corral
 

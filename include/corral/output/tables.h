@@ -2,7 +2,7 @@
 #ifndef CORRAL_OUTPUT_TABLES_H
 #define CORRAL_OUTPUT_TABLES_H
 
-#include <corral/localization/Cell_set.h>
+#include <corral/localization/Raster.h>
 #include <corral/output/Output_options.h>
 
 #include <ostream>
@@ -14,27 +14,25 @@ namespace corral {
 
 /// \brief One line `i,j[,k],verdict` for each plotted cell after a header, sorted by the index; if cell notes
 /// want it, `i,j[,k],verdict,rung`.
-/// \pre `cells.finish()` has run.
 /// \par Complexity  n log n for n cells; memory for one layer of blocks.
 template <std::size_t D>
-void write_csv(std::ostream& out, const Grid<D>& grid, const Cell_set<D>& cells, const Output_options& options);
+void write_csv(std::ostream& out, const Raster<D>& raster, const Output_options& options);
 
-/// \brief One JSON object: box, resolution, variables, the facts of `options`, the numbers of cells, and every plotted
-/// cell as [i, j, ..., verdict], sorted; with cell notes [i, j, ..., verdict, rung] and a reason after that if unknown.
-/// \pre `cells.finish()` has run.
+/// \brief One JSON object: box, resolution, variables, the facts of `options`, the numbers of cells (and, if the run
+/// was stopped, that of the cells not visited, which are among the unknown ones), and every plotted cell as [i, j, ...,
+/// verdict], sorted; with cell notes [i, j, ..., verdict, rung] and a reason after that if unknown.
 template <std::size_t D>
-void write_json(std::ostream& out, const Grid<D>& grid, const Cell_set<D>& cells, const Output_options& options);
+void write_json(std::ostream& out, const Raster<D>& raster, const Output_options& options);
 
 /// \brief The same object without the cells, on one line.
 template <std::size_t D>
-void write_summary(std::ostream& out, const Grid<D>& grid, const Cell_set<D>& cells, const Output_options& options);
+void write_summary(std::ostream& out, const Raster<D>& raster, const Output_options& options);
 
 /// \brief A picture of letters: `#` hit, `?` unknown, `.` empty; y points up. Above two dimensions, one
 /// picture a slice. Grids above 128 cells are drawn coarser; a letter then stands for a block of cells and says
 /// `hit` if one of them is, else `unknown` if one of them is.
-/// \pre `cells.finish()` has run.
 template <std::size_t D>
-void write_text(std::ostream& out, const Grid<D>& grid, const Cell_set<D>& cells, const Output_options& options);
+void write_text(std::ostream& out, const Raster<D>& raster, const Output_options& options);
 
 } // namespace corral
 

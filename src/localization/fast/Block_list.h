@@ -2,7 +2,7 @@
 #ifndef CORRAL_SRC_LOCALIZATION_FAST_BLOCK_LIST_H
 #define CORRAL_SRC_LOCALIZATION_FAST_BLOCK_LIST_H
 
-#include <corral/localization/Cell_set.h>
+#include <corral/localization/Cell_block.h>
 
 #include <algorithm>
 #include <bit>

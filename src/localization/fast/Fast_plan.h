@@ -102,6 +102,7 @@ struct Harvest
   Block_list<D> blocks;
   std::vector<Seed<D>> seeds;         ///< nodes of `stop_level` that may hold a zero, if the worker had to stop there
   std::vector<Hidden_node<D>> hidden; ///< nodes left undecided
+  std::vector<Hidden_node<D>> left;   ///< nodes not decided since the run was stopped
   std::vector<Seed<D>> rough;         ///< nodes of `rough_level` left undecided, to be cut into smaller blocks
   std::uint64_t nodes = 0;            ///< nodes bounded
 };

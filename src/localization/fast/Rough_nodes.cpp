@@ -97,7 +97,9 @@ Harvest<D> Rough_nodes<D>::Twice::decide(Task<D> seeds) const
   fine.hidden.clear();
   Search<D> rest{system, pulse};
   rest.refines = false; // else finer and finer grids without end
-  fine.nodes += coarse.nodes + search_parts(rest, fine_grid, std::move(parts), 0, fine.blocks);
+  std::vector<Grid_part<D>> left;
+  fine.nodes += coarse.nodes + search_parts(rest, fine_grid, std::move(parts), 0, fine.blocks, left);
+  if (!left.empty()) throw Cancelled("localize: stopped on request"); // so that the caller leaves the nodes
   fine.blocks = merged(coarse.blocks, fine.blocks);
   return fine;
 }

@@ -7,6 +7,7 @@
 #include "bands.h"
 #include "sorted_blocks.h"
 
+#include <corral/errors.h>
 #include <corral/number/Environment.h>
 
 #include <tbb/enumerable_thread_specific.h>
@@ -15,6 +16,7 @@
 #include <iterator>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -67,23 +69,43 @@ private:
     lists_.resize(tasks + 1);
     collect(std::move(top), lists_.back(), 0);
     in_parallel(what_.threads, tasks, [&](std::size_t t) {
-      Harvest<D> found;
-      subdividers_.local()->run(level, bands.tasks()[t], 0, found);
+      auto found = decided_or_left(level, bands.tasks()[t], [&](Task<D> task) {
+        Harvest<D> harvest;
+        subdividers_.local()->run(level, task, 0, harvest);
+        return harvest;
+      });
       collect(std::move(found), lists_[t], share_ / (2 * static_cast<double>(tasks)));
     });
-    if (!(rough_.empty() && found_.hidden.empty()) && what_.is_in_vain && what_.is_in_vain()) {
+    if (is_in_vain()) {
       found_.was_in_vain = true;
       return std::move(found_);
     }
     Block_list<D> others;
     decide_rough(others);
     found_.cells.append(sorted(bands.bands()));
-    if (others.size() > 0) {
-      others.visit([&](const Cell_block<D>& block) { found_.cells.append(block); });
-      found_.cells.finish();
-    }
+    others.visit([&](const Cell_block<D>& block) { found_.cells.append(block); });
     what_.pulse.advance(share_ - told_);
     return std::move(found_);
+  }
+
+  [[nodiscard]] bool is_in_vain() const
+  {
+    if ((rough_.empty() && found_.hidden.empty()) || what_.pulse.is_stopped()) return false;
+    return what_.is_in_vain && what_.is_in_vain();
+  }
+
+  /// What `work` finds in a task, or its nodes if the run is stopped meanwhile.
+  template <class Work>
+  Harvest<D> decided_or_left(unsigned level, Task<D> task, const Work& work)
+  {
+    try {
+      what_.pulse.ask();
+      return work(task);
+    } catch (const Cancelled&) {
+      Harvest<D> nothing;
+      for (const auto& seed : task) nothing.left.push_back({level, seed.corner});
+      return nothing;
+    }
   }
 
   /// What the tasks found. The last list is that of the top of the tree, which is empty if there are tasks.
@@ -105,13 +127,20 @@ private:
   void decide_rough(Block_list<D>& blocks)
   {
     if (rough_.empty()) return;
-    const Rough_nodes<D> nodes(f_, grid_, plan_, what_.pulse);
+    std::optional<const Rough_nodes<D>> nodes; // made once, before the tasks, unless the run is stopped meanwhile
     auto seeds = std::exchange(rough_, {});
     std::sort(seeds.begin(), seeds.end(),
               [](const auto& a, const auto& b) { return std::tie(a.cut, a.corner) < std::tie(b.cut, b.corner); });
     const auto tasks = grouped<D>(seeds);
     const double share = (share_ - told_) / static_cast<double>(tasks.size());
-    in_parallel(what_.threads, tasks.size(), [&](std::size_t t) { collect(nodes.decide(tasks[t]), blocks, share); });
+    (void)decided_or_left(plan_.rough_level, {}, [&](Task<D>) {
+      nodes.emplace(f_, grid_, plan_, what_.pulse);
+      return Harvest<D>{};
+    });
+    in_parallel(what_.threads, tasks.size(), [&](std::size_t t) {
+      collect(decided_or_left(plan_.rough_level, tasks[t], [&](Task<D> task) { return nodes->decide(task); }), blocks,
+              share);
+    });
   }
 
   /// \param share  the part of the whole work that is done by this.
@@ -124,6 +153,7 @@ private:
       if (plotted_ > what_.cell_budget) throw_over_budget(what_.cell_budget);
       blocks.append(std::move(harvest.blocks));
       for (const auto& node : harvest.hidden) found_.hidden.push_back(part_of(plan_, node));
+      for (const auto& node : harvest.left) found_.left.push_back(part_of(plan_, node));
       std::move(harvest.rough.begin(), harvest.rough.end(), std::back_inserter(rough_));
       told_ += share;
     }

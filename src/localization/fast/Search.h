@@ -6,9 +6,8 @@
 #include "Pulse.h"
 #include "grid_part.h"
 
-#include <corral/localization/Cell_set.h>
 #include <corral/localization/Grid.h>
-#include <corral/localization/Localization.h>
+#include <corral/localization/Raster_builder.h>
 #include <corral/polynomial/Polynomial.h>
 
 #include <cstddef>
@@ -38,8 +37,9 @@ struct Search
 template <std::size_t D>
 struct Found
 {
-  Cell_set<D> cells;
+  Raster_builder<D> cells;
   std::vector<Grid_part<D>> hidden; ///< where rounding at the root hides a polynomial: not in `cells`
+  std::vector<Grid_part<D>> left;   ///< what was not decided when the run was stopped: not in `cells`
   std::uint64_t nodes = 0;          ///< bounded
   bool was_in_vain = false;         ///< then all else is void
 };
@@ -52,23 +52,25 @@ template <std::size_t D>
 /// it finds to the blocks, and returns the number of nodes bounded.
 ///
 /// It ends: a hidden node has fewer levels than the part that it is found in, so that there are no more rounds than
-/// levels. \throw Budget_exceeded if there are more plotted cells in the blocks than the budget.
+/// levels. \param left  takes in what is not decided when the run is stopped.
+/// \throw Budget_exceeded if there are more plotted cells in the blocks than the budget.
 template <std::size_t D>
 std::uint64_t search_parts(const Search<D>& what, const Grid<D>& grid, std::vector<Grid_part<D>> parts, double share,
-                           Block_list<D>& blocks);
+                           Block_list<D>& blocks, std::vector<Grid_part<D>>& left);
 
-/// \brief Searches a grid, and what is hidden there. If it was in vain there is nothing but the number of nodes.
+/// \brief Searches a grid, and what is hidden there, so that nothing is hidden still. If it was in vain there is
+/// nothing but the number of nodes.
 template <std::size_t D>
-[[nodiscard]] Localization<D> search_all(const Search<D>& what, const Grid<D>& grid);
+[[nodiscard]] Found<D> search_all(const Search<D>& what, const Grid<D>& grid);
 
 extern template Found<2> search<2>(const Search<2>&, const Grid<2>&, double);
 extern template Found<3> search<3>(const Search<3>&, const Grid<3>&, double);
 extern template std::uint64_t search_parts<2>(const Search<2>&, const Grid<2>&, std::vector<Grid_part<2>>, double,
-                                              Block_list<2>&);
+                                              Block_list<2>&, std::vector<Grid_part<2>>&);
 extern template std::uint64_t search_parts<3>(const Search<3>&, const Grid<3>&, std::vector<Grid_part<3>>, double,
-                                              Block_list<3>&);
-extern template Localization<2> search_all<2>(const Search<2>&, const Grid<2>&);
-extern template Localization<3> search_all<3>(const Search<3>&, const Grid<3>&);
+                                              Block_list<3>&, std::vector<Grid_part<3>>&);
+extern template Found<2> search_all<2>(const Search<2>&, const Grid<2>&);
+extern template Found<3> search_all<3>(const Search<3>&, const Grid<3>&);
 
 } // namespace corral::fast
 

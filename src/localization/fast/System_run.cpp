@@ -6,6 +6,7 @@
 #include "common_nodes.h"
 #include "tasks.h"
 
+#include <corral/errors.h>
 #include <corral/number/Environment.h>
 
 #include <algorithm>
@@ -36,7 +37,6 @@ public:
     Open_nodes<D> root;
     for (const auto& member : members_) root.push_back({{{}, Open_node<D>::smooth, member->root()}});
     in_arena(what_.threads, [&] { descend(plan().root_level, std::move(root), share); });
-    found_.cells.finish();
     return std::move(found_);
   }
 
@@ -45,8 +45,22 @@ private:
 
   [[nodiscard]] const Plan<D>& plan() const { return members_.front()->plan(); } // all have the same tree
 
+  /// Decides nodes, or leaves them if the run is stopped before anything is known of them.
   /// \param share  the part of the whole work that these nodes are taken for.
   void descend(unsigned level, Open_nodes<D> nodes, double share)
+  {
+    std::vector<Hidden_node<D>> all;
+    for (const auto& node : nodes[0]) all.push_back({level, node.corner});
+    try {
+      what_.pulse.ask();
+      decide_or_cut(level, std::move(nodes), share);
+    } catch (const Cancelled&) {
+      const std::scoped_lock lock(mutex_);
+      for (const auto& node : all) found_.left.push_back(part_of(plan(), node));
+    }
+  }
+
+  void decide_or_cut(unsigned level, Open_nodes<D> nodes, double share)
   {
     if (level == plan().rough_level) return decide(level, std::move(nodes), share);
     nodes = children(level, std::move(nodes));

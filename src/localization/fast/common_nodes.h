@@ -4,7 +4,7 @@
 
 #include "Fast_plan.h"
 
-#include <corral/localization/Cell_set.h>
+#include <corral/localization/Cell_block.h>
 
 #include <algorithm>
 #include <array>

@@ -5,14 +5,16 @@
 #include "Block_list.h"
 #include "Fast_plan.h"
 
-#include <corral/localization/Cell_set.h>
+#include <corral/localization/Cell_range.h>
 #include <corral/localization/Grid.h>
+#include <corral/localization/Raster_builder.h>
 
 #include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace corral::fast {
 
@@ -60,11 +62,20 @@ template <std::size_t D>
   return static_cast<int>(std::bit_width(*std::max_element(part.size.begin(), part.size.end()) - 1));
 }
 
+/// The cells of a part of a grid.
+template <std::size_t D>
+[[nodiscard]] Cell_range<D> range_of(const Grid_part<D>& part)
+{
+  Cell_range<D> range{part.corner, part.corner};
+  for (std::size_t axis = 0; axis < D; ++axis) range.end[axis] += part.size[axis];
+  return range;
+}
+
 /// Adds the cells of the part with this corner to blocks of the whole grid. \pre The corner is one of a block.
 template <std::size_t D>
-void append_part(const Cell_set<D>& cells, const Cell<D>& corner, Block_list<D>& blocks)
+void append_part(const std::vector<Cell_block<D>>& part, const Cell<D>& corner, Block_list<D>& blocks)
 {
-  for (auto block : cells.blocks()) {
+  for (auto block : part) {
     for (std::size_t axis = 0; axis < D; ++axis) block.index[axis] += corner[axis] / block_side<D>;
     blocks.add(block);
   }

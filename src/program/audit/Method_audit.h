@@ -70,10 +70,9 @@ struct Method_audit
 
 /// \brief Audits all methods of one number type in all dimensions, dimension by dimension. Each type is compiled in a
 /// source of its own, which the build makes.
-/// \param progress  called with the share done, 0 to 1; `false` stops. \throw Cancelled.
+/// \throw Cancelled if it is stopped.
 template <IntervalNumber I>
-[[nodiscard]] std::vector<Method_audit> audit_over(const Audit_settings& settings,
-                                                   const std::function<bool(double)>& progress);
+[[nodiscard]] std::vector<Method_audit> audit_over(const Audit_settings& settings, const Run_options& run);
 
 } // namespace corral::program
 

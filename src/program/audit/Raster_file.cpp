@@ -11,7 +11,7 @@ namespace corral::program {
 namespace {
 
 template <std::size_t D>
-void sort_and_merge(Raster<D>& raster)
+void sort_and_merge(Foreign_raster<D>& raster)
 {
   auto& cells = raster.cells;
   std::sort(cells.begin(), cells.end(), [](const auto& a, const auto& b) {
@@ -26,10 +26,10 @@ void sort_and_merge(Raster<D>& raster)
 } // namespace
 
 template <std::size_t D>
-Raster<D> read_raster(const std::string& path, const Resolution<D>& resolution, const Raster_options& options)
+Foreign_raster<D> read_raster(const std::string& path, const Resolution<D>& resolution, const Raster_options& options)
 {
   Input_file file(path);
-  Raster<D> raster;
+  Foreign_raster<D> raster;
   if (is_png(file)) {
     if constexpr (D == 2) {
       read_png(file, resolution, options, [&](const Cell<2>& cell) { raster.cells.push_back({cell, Claim::plotted}); });
@@ -46,8 +46,8 @@ Raster<D> read_raster(const std::string& path, const Resolution<D>& resolution, 
   return raster;
 }
 
-template Raster<1> read_raster(const std::string&, const Resolution<1>&, const Raster_options&);
-template Raster<2> read_raster(const std::string&, const Resolution<2>&, const Raster_options&);
-template Raster<3> read_raster(const std::string&, const Resolution<3>&, const Raster_options&);
+template Foreign_raster<1> read_raster(const std::string&, const Resolution<1>&, const Raster_options&);
+template Foreign_raster<2> read_raster(const std::string&, const Resolution<2>&, const Raster_options&);
+template Foreign_raster<3> read_raster(const std::string&, const Resolution<3>&, const Raster_options&);
 
 } // namespace corral::program

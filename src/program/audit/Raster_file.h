@@ -42,7 +42,7 @@ struct Claimed_cell
 };
 
 template <std::size_t D>
-struct Raster
+struct Foreign_raster
 {
   std::vector<Claimed_cell<D>> cells; ///< sorted by their index, each once
   std::uint64_t repeated = 0;         ///< rows that named a cell again
@@ -71,8 +71,8 @@ struct Raster_options
 ///        above the limits of `options`.
 /// \par Complexity  n log n for n rows, linear in the pixels; memory for the rows or the pixels.
 template <std::size_t D>
-[[nodiscard]] Raster<D> read_raster(const std::string& path, const Resolution<D>& resolution,
-                                    const Raster_options& options = {});
+[[nodiscard]] Foreign_raster<D> read_raster(const std::string& path, const Resolution<D>& resolution,
+                                            const Raster_options& options = {});
 
 } // namespace corral::program
 

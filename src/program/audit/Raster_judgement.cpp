@@ -10,7 +10,7 @@
 namespace corral::program {
 
 template <std::size_t D>
-Raster_judgement<D> judge(const Cell_set<D>& truth, const Raster<D>& raster)
+Raster_judgement<D> judge(const Raster<D>& truth, const Foreign_raster<D>& raster)
 {
   Raster_judgement<D> result;
   auto next = raster.cells.begin();
@@ -92,7 +92,7 @@ Evidence<D> Evidence_finder<D>::find(const Cell<D>& cell)
 }
 
 #define CORRAL_INSTANTIATE(D)                                                                                          \
-  template Raster_judgement<D> judge(const Cell_set<D>&, const Raster<D>&);                                            \
+  template Raster_judgement<D> judge(const Raster<D>&, const Foreign_raster<D>&);                                      \
   template class Evidence_finder<D>;
 CORRAL_INSTANTIATE(1)
 CORRAL_INSTANTIATE(2)

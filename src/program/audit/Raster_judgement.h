@@ -6,7 +6,7 @@
 
 #include <corral/algebra/real_roots.h>
 #include <corral/decision/Cell_decision.h>
-#include <corral/localization/Cell_set.h>
+#include <corral/localization/Raster.h>
 #include <corral/polynomial/Polynomial.h>
 
 #include <cstddef>
@@ -30,9 +30,9 @@ struct Raster_judgement
   [[nodiscard]] bool is_faultless() const { return lost.empty() && wrong.empty(); }
 };
 
-/// \pre `truth.finish()` has run. \par Complexity  n log n for n cells.
+/// \par Complexity  n log n for n cells.
 template <std::size_t D>
-[[nodiscard]] Raster_judgement<D> judge(const Cell_set<D>& truth, const Raster<D>& raster);
+[[nodiscard]] Raster_judgement<D> judge(const Raster<D>& truth, const Foreign_raster<D>& raster);
 
 /// Why a cell is hit or empty, so that it can be checked by hand.
 template <std::size_t D>

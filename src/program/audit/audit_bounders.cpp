@@ -56,9 +56,8 @@ std::vector<audit::Fault_finding> plant_faults(std::uint64_t seed, std::uint64_t
   Audit_options options;
   options.seed = seed;
   options.cases = cases;
-  options.progress = [&](double) { return progress(0); };
   progress.begins("planted faults");
-  auto findings = audit::seed_faults(options);
+  auto findings = audit::seed_faults(options, part_of(progress.run(), 0, 0));
   if (interrupted_by() != 0) throw Cancelled("audit bounders");
   return findings;
 }
@@ -71,11 +70,11 @@ Bounder_report audit_all(const Audit_settings& settings, std::uint64_t fault_cas
   if (fault_cases > 0) report.faults = plant_faults(settings.seed, fault_cases, progress);
   const double shares = static_cast<double>(settings.numbers.size());
   double share = 0;
-  const auto step = [&](double done) { return progress((share + done) / shares); };
   for (const auto& number : settings.numbers) {
     progress.begins(number);
-    const auto audits =
-        Number_types::visit(number, [&]<class I>(std::type_identity<I>) { return audit_over<I>(settings, step); });
+    const auto audits = Number_types::visit(number, [&]<class I>(std::type_identity<I>) {
+      return audit_over<I>(settings, part_of(progress.run(), share / shares, 1 / shares));
+    });
     report.audits.insert(report.audits.end(), audits.begin(), audits.end());
     ++share;
   }

@@ -2,6 +2,7 @@
 #ifndef CORRAL_SRC_PROGRAM_AUDIT_AUDIT_OVER_INL_H
 #define CORRAL_SRC_PROGRAM_AUDIT_AUDIT_OVER_INL_H
 
+#include "../Progress.h"
 #include "../bound/make_bounder.h"
 #include "../reproduce/examples.h"
 #include "Method_audit.h"
@@ -38,8 +39,7 @@ void add(const Bounder_audit<D>& seen, const Origin& origin, Method_audit& audit
 }
 
 template <IntervalNumber I, std::size_t D>
-[[nodiscard]] Method_audit audit_method(const Method& method, const Audit_settings& settings,
-                                        const std::function<bool(double)>& progress)
+[[nodiscard]] Method_audit audit_method(const Method& method, const Audit_settings& settings, const Run_options& run)
 {
   Method_audit audit;
   audit.method = method;
@@ -53,45 +53,44 @@ template <IntervalNumber I, std::size_t D>
   options.seed = settings.seed;
   options.cases = settings.cases;
   options.tightness_cases = settings.tightness_cases;
-  options.progress = [&](double done) { return progress(share * done); };
   add(
-      audit_bounder<I, D>(make, options),
+      audit_bounder<I, D>(make, options, part_of(run, 0, share)),
       [&](std::uint64_t number) { return "generated case " + std::to_string(number) + seed; }, audit);
   const auto paper = paper_subjects<D>();
   if (!paper.subjects.empty() && settings.paper_cases > 0) {
     options.cases = settings.paper_cases;
     options.tightness_cases = 0;
-    options.progress = [&](double done) { return progress(share + (1 - share) * done); };
     add(
-        audit_bounder<I, D>(make, std::span<const Audit_subject<D>>(paper.subjects), options),
+        audit_bounder<I, D>(make, std::span<const Audit_subject<D>>(paper.subjects), options,
+                            part_of(run, share, 1 - share)),
         [&](std::uint64_t number) {
           return "the paper's example " + std::to_string(paper.numbers[number % paper.numbers.size()]) + ", case "
                  + std::to_string(number) + seed;
         },
         audit);
   }
-  if (!progress(1)) throw Cancelled("audit bounders");
+  corral::detail::report_or_throw(run, 1, "audit bounders");
   return audit;
 }
 
 template <IntervalNumber I>
-std::vector<Method_audit> audit_over(const Audit_settings& settings, const std::function<bool(double)>& progress)
+std::vector<Method_audit> audit_over(const Audit_settings& settings, const Run_options& run)
 {
   const auto methods = methods_over(settings, std::string(Interval_traits<I>::name));
   const double total = static_cast<double>(methods.size() * settings.dimensions.size());
   std::vector<Method_audit> audits;
-  const auto report = [&](double done) { return progress((static_cast<double>(audits.size()) + done) / total); };
+  const auto next = [&] { return part_of(run, static_cast<double>(audits.size()) / total, 1 / total); };
   for (const std::size_t dimension : settings.dimensions)
     for (const Method& method : methods)
-      audits.push_back(dimension == 1   ? audit_method<I, 1>(method, settings, report)
-                       : dimension == 2 ? audit_method<I, 2>(method, settings, report)
-                                        : audit_method<I, 3>(method, settings, report));
+      audits.push_back(dimension == 1   ? audit_method<I, 1>(method, settings, next())
+                       : dimension == 2 ? audit_method<I, 2>(method, settings, next())
+                                        : audit_method<I, 3>(method, settings, next()));
   return audits;
 }
 
 } // namespace corral::program
 
 #define CORRAL_INSTANTIATE_AUDIT(I)                                                                                    \
-  template std::vector<Method_audit> audit_over<I>(const Audit_settings&, const std::function<bool(double)>&);
+  template std::vector<Method_audit> audit_over<I>(const Audit_settings&, const Run_options&);
 
 #endif

@@ -25,7 +25,7 @@ struct Raster_arguments
   std::string cells;
   Raster_options reading;
   Raster_report_options reporting;
-  std::uint64_t max_cells = Localize_settings().max_cells;
+  std::uint64_t max_cells = default_max_cells;
   std::string format = "text";
   std::vector<std::string> outputs;
 };
@@ -38,15 +38,14 @@ Ideal_raster<D> truth(const std::vector<Polynomial<Rational, D>>& system, const 
   constexpr double share = 0.3; // of the first pass
   Localize_settings settings;
   if constexpr (D == 1) settings.engine = "paper"; // the fast one is of 2 and 3 dimensions
-  settings.max_cells = max_cells;
-  settings.progress = [&](double done) { return progress(share * done); };
+  settings.run = part_of(progress.run(), 0, share);
+  settings.run.cell_budget = max_cells;
   progress.begins("fast engine");
   const auto found = localize_by_name<D>(system, grid, settings);
   progress.begins("exact decision");
-  auto raster =
-      decide_exactly<D>(system, grid, found.cells, {[&](double done) { return progress(share + (1 - share) * done); }});
-  if (interrupted_by() != 0) throw Cancelled("audit raster");
-  return raster;
+  auto ideal = decide_exactly<D>(system, found, part_of(progress.run(), share, 1 - share));
+  if (ideal.raster.was_stopped()) throw Cancelled("audit raster");
+  return ideal;
 }
 
 template <std::size_t D>
@@ -86,7 +85,7 @@ void audit_in(const Raster_arguments& arguments, const Grid_problem<D>& problem)
     Progress progress("audit raster");
     const auto ideal = truth<D>(system, audit.grid, arguments.max_cells, progress);
     audit.repeated = raster.repeated;
-    audit.judgement = judge(ideal.cells, raster);
+    audit.judgement = judge(ideal.raster, raster);
   }
   Evidence_finder<D> evidence(system, audit.grid, [] {
     if (interrupted_by() != 0) throw Cancelled("audit raster");

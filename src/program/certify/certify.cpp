@@ -40,11 +40,8 @@ void certify_in(const Certify_arguments& arguments, const Grid_problem<D>& probl
   std::copy_n(problem.variables.begin(), D, variables.begin());
 
   Progress progress("certify");
-  Certify_options options;
-  options.max_boxes = arguments.max_boxes;
-  options.progress = [&](double done) { return progress(done); };
-  options.patience = std::chrono::milliseconds(250);
-  const auto certificate = certify(problem.system, problem.grid, options);
+  const auto certificate = certify(problem.system, problem.grid, progress.run(),
+                                   {.max_boxes = arguments.max_boxes, .patience = std::chrono::milliseconds(250)});
   if (interrupted_by() != 0) keep_what_is_proved();
   std::string bytes = to_json(certificate, variables);
   if (arguments.output.ends_with(".gz")) bytes = gzip(bytes);

@@ -3,47 +3,46 @@
 
 #include "paper_engine.h"
 
-#include <corral/localization/localize_fast.h>
+#include <corral/localization/localize.h>
 #include <corral/number/all.h>
+
+#include <optional>
 
 namespace corral::program {
 
 namespace {
 
 template <std::size_t D>
-Localization<D> fast(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
-                     const Localize_settings& settings)
+Raster<D> fast(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+               const Localize_settings& settings)
 {
-  if constexpr (D == 2 || D == 3) {
-    const Fast_options options{
-        .threads = settings.threads, .cell_budget = settings.max_cells, .progress = settings.progress};
-    return system.size() == 1 ? localize_fast<D>(system[0], grid, options) : localize_fast<D>(system, grid, options);
-  } else
+  if constexpr (D == 2 || D == 3)
+    return localize(system, grid, settings.run);
+  else
     throw Invalid_input("engine fast: given " + detail::quantity(D, "dimension") + "; expected 2 or 3");
 }
 
 template <std::size_t D>
-Localization<D> paper(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
-                      Localize_settings settings)
+Raster<D> paper(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid, Localize_settings settings)
 {
   if (settings.method.number == "counted") { // the name in the list of number types
     settings.method.number = Interval_traits<Outward_interval>::name;
     settings.count = true;
   }
   const Mpfr_precision_scope precision(settings.method.precision);
-  Localization<D> answer;
+  std::optional<Raster<D>> answer;
   Number_types::visit(settings.method.number, [&](auto type) {
     using I = typename decltype(type)::type;
     if constexpr (!std::same_as<I, Counted<Outward_interval>>) answer = localize_over<I, D>(system, grid, settings);
   });
-  return answer;
+  return std::move(answer).value();
 }
 
 } // namespace
 
 template <std::size_t D>
-Localization<D> localize_by_name(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
-                                 const Localize_settings& settings)
+Raster<D> localize_by_name(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+                           const Localize_settings& settings)
 {
   if (settings.engine != "fast" && settings.engine != "paper")
     throw Invalid_input("engine: given '" + settings.engine + "'; expected fast or paper");
@@ -51,8 +50,8 @@ Localization<D> localize_by_name(const std::vector<Polynomial<Rational, D>>& sys
 }
 
 #define CORRAL_INSTANTIATE(D)                                                                                          \
-  template Localization<D> localize_by_name<D>(const std::vector<Polynomial<Rational, D>>&, const Grid<D>&,            \
-                                               const Localize_settings&);
+  template Raster<D> localize_by_name<D>(const std::vector<Polynomial<Rational, D>>&, const Grid<D>&,                  \
+                                         const Localize_settings&);
 CORRAL_INSTANTIATE(1)
 CORRAL_INSTANTIATE(2)
 CORRAL_INSTANTIATE(3)

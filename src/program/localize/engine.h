@@ -2,12 +2,11 @@
 #ifndef CORRAL_SRC_PROGRAM_LOCALIZE_ENGINE_H
 #define CORRAL_SRC_PROGRAM_LOCALIZE_ENGINE_H
 
-#include <corral/localization/Grid.h>
-#include <corral/localization/Localization.h>
+#include <corral/Run_options.h>
+#include <corral/localization/Raster.h>
 #include <corral/polynomial/Polynomial.h>
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,6 +25,8 @@ struct Method
   long precision = 128;
 };
 
+inline constexpr std::uint64_t default_max_cells = 50'000'000;
+
 /// How cells are found.
 struct Localize_settings
 {
@@ -34,15 +35,13 @@ struct Localize_settings
   bool refine = false;
   bool sample = false;
   bool count = false; ///< additions and multiplications
-  unsigned threads = 1;
-  std::uint64_t max_cells = 50'000'000;
-  std::function<bool(double)> progress;
+  Run_options run{.cell_budget = default_max_cells};
 };
 
 /// \throw Invalid_input for unknown names; what the localisation throws.
 template <std::size_t D>
-[[nodiscard]] Localization<D> localize_by_name(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
-                                               const Localize_settings& settings);
+[[nodiscard]] Raster<D> localize_by_name(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+                                         const Localize_settings& settings);
 
 } // namespace corral::program
 

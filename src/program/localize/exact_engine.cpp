@@ -7,30 +7,22 @@
 namespace corral::program {
 
 template <std::size_t D>
-Ideal_raster<D> decide_exactly(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
-                               const Cell_set<D>& cells, const Exact_settings& settings)
+Ideal_raster<D> decide_exactly(const std::vector<Polynomial<Rational, D>>& system, const Raster<D>& candidates,
+                               const Run_options& run, Ideal_raster_options options)
 {
-  Ideal_raster_options options;
-  options.threads = settings.threads;
-  options.keep_rungs = settings.keep_rungs;
-  options.recheck = settings.recheck;
   options.patience = std::chrono::milliseconds(250);
-  if (settings.progress)
-    options.progress = [&](std::uint64_t done, std::uint64_t total) {
-      return settings.progress(total == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(total));
-    };
   if constexpr (D <= 3)
-    if (system.size() == 1) return ideal_raster<D>(system.front(), grid, cells, options);
+    if (system.size() == 1) return ideal_raster(system.front(), candidates, run, options);
   if constexpr (D == 2 || D == 3)
-    if (system.size() == 2) return ideal_raster<D>(system, grid, cells, options);
+    if (system.size() == 2) return ideal_raster(system, candidates, run, options);
   throw Invalid_input("exact: given " + detail::quantity(system.size(), "polynomial") + " in "
                       + detail::quantity(D, "dimension")
                       + "; expected 1 in 1 to 3 dimensions, or 2 in 2 or 3 dimensions");
 }
 
 #define CORRAL_INSTANTIATE(D)                                                                                          \
-  template Ideal_raster<D> decide_exactly<D>(const std::vector<Polynomial<Rational, D>>&, const Grid<D>&,              \
-                                             const Cell_set<D>&, const Exact_settings&);
+  template Ideal_raster<D> decide_exactly<D>(const std::vector<Polynomial<Rational, D>>&, const Raster<D>&,            \
+                                             const Run_options&, Ideal_raster_options);
 CORRAL_INSTANTIATE(1)
 CORRAL_INSTANTIATE(2)
 CORRAL_INSTANTIATE(3)

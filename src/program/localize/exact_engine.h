@@ -4,24 +4,16 @@
 
 #include <corral/decision/ideal_raster.h>
 
-#include <functional>
 #include <vector>
 
 namespace corral::program {
 
-struct Exact_settings
-{
-  std::function<bool(double)> progress{}; ///< `false` stops: what is proved is kept and the other cells stay unknown
-  unsigned threads = 1;
-  bool keep_rungs = false;
-  bool recheck = false; ///< decide every cell again without floats
-};
-
-/// \brief Decides the unknown cells of a guaranteed localisation exactly.
+/// \brief Decides the unknown cells of a guaranteed raster exactly.
 /// \throw Contradiction. Invalid_input if there is no exact decision for this dimension and number of polynomials.
 template <std::size_t D>
-[[nodiscard]] Ideal_raster<D> decide_exactly(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
-                                             const Cell_set<D>& cells, const Exact_settings& settings);
+[[nodiscard]] Ideal_raster<D> decide_exactly(const std::vector<Polynomial<Rational, D>>& system,
+                                             const Raster<D>& candidates, const Run_options& run = {},
+                                             Ideal_raster_options options = {});
 
 } // namespace corral::program
 

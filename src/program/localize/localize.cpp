@@ -14,6 +14,7 @@
 #include <chrono>
 #include <iostream>
 #include <limits>
+#include <optional>
 
 namespace corral::program {
 
@@ -29,6 +30,8 @@ struct Localize_arguments
   bool exact = false;
   bool recheck = false;
   bool rungs = false; ///< a column of CSV
+  unsigned threads = 1;
+  std::uint64_t max_cells = default_max_cells;
   unsigned repeat = 1;
   std::vector<std::string> outputs;
   std::string format;
@@ -37,23 +40,23 @@ struct Localize_arguments
 };
 
 template <std::size_t D>
-void print(const std::string& format, const Grid<D>& grid, const Cell_set<D>& cells, const Output_options& options)
+void print(const std::string& format, const Raster<D>& raster, const Output_options& options)
 {
   if (format == "csv")
-    write_csv(std::cout, grid, cells, options);
+    write_csv(std::cout, raster, options);
   else if (format == "json")
-    write_json(std::cout, grid, cells, options);
+    write_json(std::cout, raster, options);
   else if (format == "text")
-    write_text(std::cout, grid, cells, options);
+    write_text(std::cout, raster, options);
   else
-    write_summary(std::cout, grid, cells, options);
+    write_summary(std::cout, raster, options);
 }
 
 using Facts = std::vector<std::pair<std::string, Output_options::Fact>>;
 
 // What the summary says of a run.
-Facts facts(const std::vector<std::string>& polynomials, const Localize_settings& settings,
-            const Localization_counters& work, bool is_guaranteed)
+Facts facts(const std::vector<std::string>& polynomials, const Localize_settings& settings, const Work_counters& work,
+            bool is_guaranteed)
 {
   std::vector<std::pair<std::string, Output_options::Fact>> list{{"polynomials", polynomials},
                                                                  {"engine", settings.engine}};
@@ -73,9 +76,9 @@ Facts facts(const std::vector<std::string>& polynomials, const Localize_settings
 
 // What the exact decision says of the cells that the engine plotted.
 template <std::size_t D>
-Facts exact_facts(const Ideal_raster<D>& raster, bool recheck)
+Facts exact_facts(const Ideal_raster<D>& ideal, bool recheck)
 {
-  const auto& [cells, rungs, reasons, decided, rechecked] = raster;
+  const auto& [raster, rungs, reasons, decided, rechecked] = ideal;
   Facts list{{"exact", true}};
   if (recheck) {
     if (rechecked < 0x1p63)
@@ -111,7 +114,7 @@ Facts time_facts(std::vector<double> seconds)
 template <std::size_t D>
 struct Outcome
 {
-  Cell_set<D> cells;
+  Raster<D> raster;
   Facts facts;
   std::vector<Decided_cell<D>> decided; ///< exactly, if that is to be written
 };
@@ -161,18 +164,21 @@ Outcome<D> run_once(const std::vector<Polynomial<Rational, D>>& system, const Gr
 {
   const Method& method = settings.method;
   progress.begins(settings.engine == "fast" ? "fast engine" : method.bounder + " over " + method.number);
-  auto answer = localize_by_name<D>(system, grid, settings);
-  Outcome<D> outcome{std::move(answer.cells), facts(texts, settings, answer.counters, answer.is_guaranteed), {}};
+  auto found = localize_by_name<D>(system, grid, settings);
+  // What was not visited when the run was stopped may be too much to name.
+  if (found.was_stopped() && found.plotted() > arguments.max_cells) throw Cancelled("localize");
+  Facts about = facts(texts, settings, found.counters(), found.is_guaranteed());
+  Outcome<D> outcome{std::move(found), std::move(about), {}};
   if (!arguments.exact) return outcome;
-  if (!answer.is_guaranteed)
+  if (!outcome.raster.is_guaranteed())
     throw Invalid_input("exact: number type " + method.number + " may have lost cells; expected a guaranteed one");
   progress.begins("exact decision");
-  auto raster = decide_exactly<D>(system, grid, outcome.cells,
-                                  {settings.progress, settings.threads, writes_rungs(arguments), arguments.recheck});
-  const Facts more = exact_facts(raster, arguments.recheck);
+  auto ideal = decide_exactly<D>(system, outcome.raster, settings.run,
+                                 {.keep_rungs = writes_rungs(arguments), .recheck = arguments.recheck});
+  const Facts more = exact_facts(ideal, arguments.recheck);
   outcome.facts.insert(outcome.facts.end(), more.begin(), more.end());
-  outcome.cells = std::move(raster.cells);
-  outcome.decided = std::move(raster.decided);
+  outcome.raster = std::move(ideal.raster);
+  outcome.decided = std::move(ideal.decided);
   return outcome;
 }
 
@@ -182,18 +188,19 @@ Outcome<D> compute(const std::vector<Polynomial<Rational, D>>& system, const Gri
 {
   Progress progress("localize");
   Localize_settings settings = settings_for(D, arguments);
-  settings.progress = [&](double done) { return progress(done); };
-  Outcome<D> outcome;
+  settings.run = progress.run(arguments.threads);
+  settings.run.cell_budget = arguments.max_cells;
+  std::optional<Outcome<D>> outcome;
   std::vector<double> seconds;
   while (seconds.size() < arguments.repeat && interrupted_by() == 0) {
     const auto start = std::chrono::steady_clock::now();
     outcome = run_once<D>(system, grid, texts, settings, arguments, progress);
     seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
-  if (seconds.empty() || (!arguments.exact && interrupted_by() != 0)) throw Cancelled("localize");
+  if (!outcome) throw Cancelled("localize");
   const Facts times = time_facts(std::move(seconds));
-  outcome.facts.insert(outcome.facts.end(), times.begin(), times.end());
-  return outcome;
+  outcome->facts.insert(outcome->facts.end(), times.begin(), times.end());
+  return std::move(*outcome);
 }
 
 template <std::size_t D>
@@ -217,12 +224,11 @@ void localize_in(const Localize_arguments& arguments, const Grid_problem<D>& pro
   options.colouring = arguments.plain ? Colouring::plotted : Colouring::by_verdict;
   std::vector<File_to_write> files;
   for (const auto& path : arguments.outputs)
-    files.push_back({path, [&, write = writer_for<D>(path).write](std::ostream& out) {
-                       write(out, problem.grid, outcome.cells, options);
-                     }});
+    files.push_back(
+        {path, [&, write = writer_for<D>(path).write](std::ostream& out) { write(out, outcome.raster, options); }});
   write_whole_files(files);
   if (!files.empty()) files_are_written();
-  print(arguments.format, grid, outcome.cells, options);
+  print(arguments.format, outcome.raster, options);
 }
 
 void localize_command(const Localize_arguments& arguments)
@@ -249,7 +255,8 @@ void add_engine_options(CLI::App& command, Localize_arguments& arguments)
       ->check(CLI::IsMember({"fast", "paper"}))
       ->default_str("fast; paper where one of its options is given");
   command
-      .add_option("--threads", settings.threads, "threads of the fast engine and of --exact; 0: one for each processor")
+      .add_option("--threads", arguments.threads,
+                  "threads of the fast engine and of --exact; 0: one for each processor")
       ->check(whole_number(0, 1024))
       ->capture_default_str();
   command
@@ -267,7 +274,7 @@ void add_engine_options(CLI::App& command, Localize_arguments& arguments)
   command.add_flag("--refine", settings.refine, "cut each remaining cell once more before it is plotted");
   command.add_flag("--plus", arguments.plus, "--sample and --refine: the paper's RT++ and MAA++");
   command.add_flag("--count", settings.count, "count additions and multiplications (paper's engine)");
-  command.add_option("--max-cells", settings.max_cells, "fail when more cells would be plotted")
+  command.add_option("--max-cells", arguments.max_cells, "fail when more cells would be plotted")
       ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();
 }
@@ -301,7 +308,7 @@ void add_localize(CLI::App& app)
   add_output_options(*command, *arguments);
   command->footer(
       "Verdicts: hit (proved: a zero in the cell) and unknown; all other cells are proved empty.\n"
-      "With --exact, none is unknown in one and two dimensions; what is decided when it is interrupted is kept.\n"
+      "With --exact, none is unknown in one and two dimensions. What is decided when it is interrupted is kept.\n"
       "Examples:\n"
       "  corral localize 'x^2 + y^2 - 1' --box -2:2,-2:2 --resolution 256 --plus --output circle.png\n"
       "  corral localize 'x^2+y^2+z^2-4' '(x-1)^2+y^2-1' --box -2:2,-2:2,-2:2 --resolution 64 --output v.ply\n"

@@ -12,8 +12,8 @@ namespace corral::program {
 ///
 /// Defined for the types of `Number_types` but `counted`, which is what `settings.count` is for.
 template <IntervalNumber I, std::size_t D>
-[[nodiscard]] Localization<D> localize_over(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
-                                            const Localize_settings& settings);
+[[nodiscard]] Raster<D> localize_over(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid,
+                                      const Localize_settings& settings);
 
 } // namespace corral::program
 

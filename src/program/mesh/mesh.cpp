@@ -24,7 +24,7 @@ struct Mesh_arguments
   std::string box;
   std::string variables;
   std::string tolerance;
-  std::size_t max_cells = Mesh_options().max_cells;
+  std::uint64_t max_cells = std::uint64_t{1} << 21;
   unsigned repeat = 1;
   std::vector<std::string> outputs;
   std::string format = "summary";
@@ -43,10 +43,11 @@ Rational tolerance_for(const Mesh_arguments& arguments, const Rational_box<2>& b
 
 std::vector<Named_mesh> compute(const std::vector<std::string>& texts,
                                 const std::vector<Polynomial<Rational, 2>>& curves, const Rational_box<2>& box,
-                                const Mesh_options& options)
+                                const Rational& tolerance, const Run_options& run)
 {
   std::vector<Named_mesh> meshes;
-  for (std::size_t k = 0; k < curves.size(); ++k) meshes.push_back({texts[k], mesh_curve(curves[k], box, options)});
+  for (std::size_t k = 0; k < curves.size(); ++k)
+    meshes.push_back({texts[k], mesh_curve(curves[k], box, tolerance, run)});
   return meshes;
 }
 
@@ -65,25 +66,23 @@ void mesh_command(const Mesh_arguments& arguments)
   const auto box = box_of<2>(space);
 
   Progress progress("mesh");
-  Mesh_options options;
-  options.tolerance = tolerance_for(arguments, box);
-  options.max_cells = arguments.max_cells;
-  options.checkpoint = [&] {
-    if (!progress(0)) throw Cancelled("mesh");
-  };
+  const Rational tolerance = tolerance_for(arguments, box);
+  Run_options run = progress.run();
+  run.cell_budget = arguments.max_cells;
   std::vector<Named_mesh> meshes;
   std::vector<double> seconds;
-  for (unsigned run = 0; run < arguments.repeat; ++run) {
+  for (unsigned k = 0; k < arguments.repeat && (k == 0 || interrupted_by() == 0); ++k) {
     const auto start = std::chrono::steady_clock::now();
-    meshes = compute(texts, curves, box, options);
+    meshes = compute(texts, curves, box, tolerance, run);
     seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
+  if (interrupted_by() != 0) keep_what_is_proved();
   std::sort(seconds.begin(), seconds.end());
 
   Output_options output;
   output.variables = space.variables;
   output.size = arguments.size;
-  output.facts = {{"tolerance", to_string(options.tolerance)}, {"seconds", seconds[seconds.size() / 2]}};
+  output.facts = {{"tolerance", to_string(tolerance)}, {"seconds", seconds[seconds.size() / 2]}};
   if (seconds.size() > 1)
     output.facts.insert(output.facts.end(),
                         {{"repeat", std::uint64_t{seconds.size()}}, {"seconds_min", seconds.front()}});
@@ -136,6 +135,7 @@ void add_mesh(CLI::App& app)
       ->check(whole_number(64, 8192))
       ->capture_default_str();
   command->footer("The polylines are isotopic to the curve in the box, unless \"certified\" is false.\n"
+                  "When interrupted, what is proved by then is written and the rest uncertified.\n"
                   "Examples:\n"
                   "  corral mesh 'y^2 - x^3 + x' --box -2:2,-2:2 --output elliptic.svg\n"
                   "  corral mesh 'x^4+y^4-1' '(x^2+y^2)^2-2*(x^2-y^2)' --box -3/2:3/2,-3/2:3/2 --output both.png");

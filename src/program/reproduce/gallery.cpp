@@ -120,11 +120,11 @@ Counts draw(const fs::path& folder, const Figure& figure)
       Output_options options;
       options.variables = space.variables;
       // A picture of one verdict alone says nothing by its colour; the paper's figures are black.
-      if (found.cells.hit() == 0) options.colouring = Colouring::plotted;
+      if (found.hit() == 0) options.colouring = Colouring::plotted;
       options.size = 800;
-      write_file(folder / (figure.name + ".png"), grid, found.cells, options);
-      write_file(folder / (figure.name + (D == 2 ? ".svg" : ".ply")), grid, found.cells, options);
-      counts = {found.cells.plotted(), found.cells.hit()};
+      write_file(folder / (figure.name + ".png"), found, options);
+      write_file(folder / (figure.name + (D == 2 ? ".svg" : ".ply")), found, options);
+      counts = {found.plotted(), found.hit()};
     }
   });
   return counts;

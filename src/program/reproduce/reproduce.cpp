@@ -41,7 +41,7 @@ void reproduce_table(const Paper_table& table, const Reproduce_arguments& argume
     Table_options options;
     if (!arguments.number.empty()) options.number = arguments.number;
     options.csv = arguments.format == "csv";
-    options.progress = [&](double done) { return progress(done); };
+    options.run = progress.run();
     print_table(text, table, options);
   }
   std::cout << text.str() << (arguments.format == "text" ? "\n" : "");

@@ -39,8 +39,8 @@ Row_counts compute(const Paper_row& row, unsigned resolution, const std::string&
   Row_counts counts;
   with_example(row.example, resolution, [&](const auto& system, const auto& grid) {
     const auto found = localize_by_name(system, grid, settings);
-    counts = {found.cells.plotted(), found.counters.subdivisions, found.counters.additions,
-              found.counters.multiplications};
+    const Work_counters& work = found.counters();
+    counts = {found.plotted(), work.subdivisions, work.additions, work.multiplications};
   });
   return counts;
 }
@@ -51,8 +51,8 @@ std::string ideal_count(int example, unsigned resolution)
   std::string count;
   with_example(example, resolution, [&](const auto& system, const auto& grid) {
     const auto candidates = localize_by_name(system, grid, {});
-    const auto raster = decide_exactly(system, grid, candidates.cells, {});
-    count = raster.cells.unknown() == 0 ? std::to_string(raster.cells.plotted()) : "?";
+    const auto raster = decide_exactly(system, candidates).raster;
+    count = raster.unknown() == 0 ? std::to_string(raster.plotted()) : "?";
   });
   return count;
 }
@@ -124,8 +124,7 @@ void print_table(std::ostream& out, const Paper_table& table, const Table_option
     log_ratios += std::log(operations(ours) / operations(row.printed));
     has_mark = has_mark || is_printed_by_another_algorithm(row);
     done += 1;
-    if (options.progress && !options.progress(done / static_cast<double>(table.rows.size())))
-      throw Cancelled(std::string(table.name));
+    detail::report_or_throw(options.run, done / static_cast<double>(table.rows.size()), "reproduce");
   }
   if (options.csv) return;
   out << "Ideal: the cells that hold a zero, decided exactly; what a method plots beyond them is false.\n";

@@ -4,7 +4,8 @@
 
 #include "paper_tables.h"
 
-#include <functional>
+#include <corral/Run_options.h>
+
 #include <ostream>
 #include <string>
 
@@ -15,7 +16,7 @@ struct Table_options
 {
   std::string number = "double_nearest";
   bool csv = false;
-  std::function<bool(double)> progress; ///< called after each row; `false` stops
+  Run_options run{}; ///< stops after a row
 };
 
 /// \brief Computes every row of a table of the paper again and prints it beside what the paper prints, and

@@ -144,18 +144,18 @@ Space whole_space(const Solve_arguments& arguments, const std::vector<std::strin
 }
 
 Printed_zeros solved(const Solve_arguments& arguments, const Space& space, const std::vector<std::string>& texts,
-                     const Checkpoint& checkpoint)
+                     const Run_options& run)
 {
   const bool bounded = !arguments.box.empty();
   Printed_zeros result;
   if (space.sides.size() == 1 && texts.size() == 1) {
     const auto interval = bounded ? std::optional(space.sides[0]) : std::nullopt;
-    for (const auto& root : solve(polynomials_of<1>(space, texts)[0], interval, checkpoint))
+    for (const auto& root : solve(polynomials_of<1>(space, texts)[0], interval, run))
       result.zeros.push_back(printed(root, arguments.digits));
   } else if (space.sides.size() == 2 && texts.size() == 2) {
     const auto system = polynomials_of<2>(space, texts);
     const auto box = bounded ? std::optional(box_of<2>(space)) : std::nullopt;
-    const auto found = solve(system[0], system[1], box, checkpoint);
+    const auto found = solve(system[0], system[1], box, run);
     for (const auto& point : found.points) result.zeros.push_back(printed(point, arguments.digits));
     if (!found.common_curve.is_constant())
       result.common_curve = to_string(found.common_curve, std::array{space.variables[0], space.variables[1]});
@@ -172,9 +172,7 @@ void solve_command(const Solve_arguments& arguments)
   const Space space =
       arguments.box.empty() ? whole_space(arguments, texts) : read_space(arguments.box, arguments.variables, texts);
   Progress progress("solve");
-  const auto found = solved(arguments, space, texts, [&] {
-    if (!progress(0)) throw Cancelled("solve");
-  });
+  const auto found = solved(arguments, space, texts, progress.run());
   if (arguments.format == "csv")
     print_csv(found, space.variables);
   else if (arguments.format == "json")
