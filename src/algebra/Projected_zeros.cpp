@@ -160,7 +160,8 @@ bool same(Real_root a, Real_root b)
     if (a.upper() < b.lower() || b.upper() < a.lower()) return false;
     if (a.is_point()) return b.compare(a.lower()) == 0;
     if (b.is_point()) return a.compare(b.lower()) == 0;
-    if (b.lower() <= a.lower() && a.upper() <= b.upper()) return a.sign_of(b.polynomial()) == 0;
+    if (b.lower() <= a.lower() && a.upper() <= b.upper())
+      return &a.polynomial() == &b.polynomial() || a.sign_of(b.polynomial()) == 0;
     a.refine();
   }
 }
@@ -211,6 +212,7 @@ std::optional<Rational_interval> Projected_zero::y() const
 
 Rational_box<2> Projected_zero::box(const Rational& width)
 {
+  if (!u_.is_point()) u_.refine_to(width / 2);
   for (;;) {
     if (const auto second = y()) {
       const auto first = u_.interval() - Rational_interval(Rational(shear_)) * *second;
@@ -254,10 +256,7 @@ int Projected_zero::sign_of(const Polynomial<Integer, 2>& q)
   return by_y.size() % 2 == 0 ? sign * u_.sign_of(*s1_) : sign; // an odd power of s1
 }
 
-bool Projected_zero::equals(const Rational_point<2>& point)
-{
-  return sign_of_linear(1, 0, -point[0]) == 0 && sign_of_linear(0, 1, -point[1]) == 0;
-}
+bool Projected_zero::equals(const Rational_point<2>& point) { return rational() == point; }
 
 bool Projected_zero::equals(Projected_zero& other)
 {
@@ -268,8 +267,16 @@ bool Projected_zero::equals(Projected_zero& other)
 
 bool Projected_zero::is_in(const Rational_box<2>& box)
 {
-  return sign_of_linear(1, 0, -box[0].lower()) >= 0 && sign_of_linear(1, 0, -box[0].upper()) <= 0
-         && sign_of_linear(0, 1, -box[1].lower()) >= 0 && sign_of_linear(0, 1, -box[1].upper()) <= 0;
+  const Rational shortest = std::min<Rational>(box[0].upper() - box[0].lower(), box[1].upper() - box[1].lower()) / 1024;
+  const auto near = this->box(shortest > 0 ? shortest : Rational(1, 1024));
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (near[k].upper() < box[k].lower() || box[k].upper() < near[k].lower()) return false;
+    const auto is_beyond = [&](const Rational& side, int outside) {
+      return contains(near[k], side) && sign_of_linear(k == 0 ? 1 : 0, k == 0 ? 0 : 1, -side) == outside;
+    };
+    if (is_beyond(box[k].lower(), -1) || is_beyond(box[k].upper(), 1)) return false;
+  }
+  return true;
 }
 
 Polynomial<Integer, 2> sheared(const Polynomial<Integer, 2>& f, long shear)

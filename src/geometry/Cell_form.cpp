@@ -32,22 +32,29 @@ void cut_line(double* upper, double* lower, std::size_t degree, std::size_t stri
   }
 }
 
+std::vector<double> rounded(const std::vector<Integer>& values)
+{
+  std::vector<double> result;
+  std::vector<long> exponents;
+  result.reserve(values.size());
+  exponents.reserve(values.size());
+  for (const Integer& value : values) {
+    long exponent = 0;
+    result.push_back(mpz_get_d_2exp(&exponent, value.get_mpz_t())); // cut towards zero: off by less than 2^-52
+    exponents.push_back(exponent);
+  }
+  const long top = *std::max_element(exponents.begin(), exponents.end());
+  for (std::size_t i = 0; i < result.size(); ++i)
+    result[i] = std::ldexp(result[i], static_cast<int>(std::max(exponents[i] - top, -2000L)));
+  return result;
+}
+
 Cell_form::Cell_form(const Polynomial<Integer, 2>& f, const Rational_box<2>& cell)
 {
   const auto exact = exact::bernstein_form(f, cell);
   degree_ = {exact.size[0] - 1, exact.size[1] - 1};
-  values_.reserve(exact.values.size());
-  std::vector<long> exponents;
-  exponents.reserve(exact.values.size());
-  for (const Integer& value : exact.values) {
-    long exponent = 0;
-    values_.push_back(mpz_get_d_2exp(&exponent, value.get_mpz_t())); // cut towards zero: off by less than 2^-52
-    exponents.push_back(exponent);
-  }
-  const long top = *std::max_element(exponents.begin(), exponents.end());
-  for (std::size_t i = 0; i < values_.size(); ++i)
-    values_[i] = std::ldexp(values_[i], static_cast<int>(std::max(exponents[i] - top, -2000L)));
-  error_ = 0x1p-52 + 0x1p-1000;
+  values_ = rounded(exact.values);
+  error_ = rounding;
   measure();
 }
 
@@ -93,13 +100,16 @@ Range Cell_form::derivative(std::array<std::size_t, 2> order) const
   const double power = std::ldexp(1.0, static_cast<int>(total));
   const double error = power * (error_ + 2 * static_cast<double>(total) * unit * largest_) * slack;
   const std::size_t row = degree_[1] + 1;
-  if (total == 1) {
-    const std::size_t step = order[0] == 1 ? row : 1;
-    double low = values_[step] - values_[0];
-    double high = low;
+  if (total == 1 || total == 2) {
+    const std::size_t one = order[0] > 0 ? row : 1;
+    const std::size_t other = order[1] > 0 ? 1 : row;
+    double low = HUGE_VAL;
+    double high = -HUGE_VAL;
     for (std::size_t i = 0; i + order[0] <= degree_[0]; ++i)
       for (std::size_t j = 0; j + order[1] <= degree_[1]; ++j) {
-        const double difference = values_[i * row + j + step] - values_[i * row + j];
+        const double* const c = &values_[i * row + j];
+        double difference = c[one] - c[0];
+        if (total == 2) difference = (c[one + other] - c[other]) - difference;
         low = std::min(low, difference);
         high = std::max(high, difference);
       }
@@ -121,6 +131,82 @@ Range Cell_form::derivative(std::array<std::size_t, 2> order) const
     }
   }
   return widened(low, high, error, factor);
+}
+
+/// The bounds of sums a c + b0 [f_x] + b1 [f_y] of coefficients, where x f_x, (1 - x) f_x and so on have Bernstein
+/// coefficients i (c_i - c_(i-1)) and (n - i) (c_(i+1) - c_i).
+template <class Weights>
+Range Cell_form::combined_range(double own, const Weights& weights) const
+{
+  const std::size_t row = degree_[1] + 1;
+  double low = HUGE_VAL;
+  double high = -HUGE_VAL;
+  double heaviest = std::fabs(own);
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    heaviest +=
+        2 * static_cast<double>(degree_[axis]) * std::max(std::fabs(weights[axis][0]), std::fabs(weights[axis][1]));
+  for (std::size_t i = 0; i <= degree_[0]; ++i)
+    for (std::size_t j = 0; j <= degree_[1]; ++j) {
+      const double* const c = &values_[i * row + j];
+      double sum = own * *c;
+      const auto add = [&](std::size_t k, std::size_t n, std::size_t stride, const std::array<double, 2>& w) {
+        if (k > 0) sum += w[0] * (static_cast<double>(k) * (*c - *(c - stride)));
+        if (k < n) sum += w[1] * (static_cast<double>(n - k) * (*(c + stride) - *c));
+      };
+      add(i, degree_[0], row, weights[0]);
+      add(j, degree_[1], 1, weights[1]);
+      low = std::min(low, sum);
+      high = std::max(high, sum);
+    }
+  // Each product and sum rounds once; there are fewer than 16 on the way to a value.
+  return widened(low, high, heaviest * (error_ + 16 * unit * largest_) * slack, 1);
+}
+
+Range Cell_form::derivative_along(const std::array<double, 2>& v) const
+{
+  return combined_range(0, std::array{std::array{v[0], v[0]}, std::array{v[1], v[1]}});
+}
+
+std::array<double, 2> Cell_form::mean_gradient() const
+{
+  std::array<double, 2> sum{};
+  for (std::size_t j = 0; j <= degree_[1]; ++j) sum[0] += (*this)(degree_[0], j) - (*this)(0, j);
+  for (std::size_t i = 0; i <= degree_[0]; ++i) sum[1] += (*this)(i, degree_[1]) - (*this)(i, 0);
+  return {sum[0] / static_cast<double>(degree_[1] + 1), sum[1] / static_cast<double>(degree_[0] + 1)};
+}
+
+std::array<double, 3> Cell_form::mean_hessian() const
+{
+  const auto [n, m] = degree_;
+  double xx = 0;
+  double yy = 0;
+  for (std::size_t j = 0; n > 0 && j <= m; ++j) xx += (*this)(n, j) - (*this)(n - 1, j) - (*this)(1, j) + (*this)(0, j);
+  for (std::size_t i = 0; m > 0 && i <= n; ++i) yy += (*this)(i, m) - (*this)(i, m - 1) - (*this)(i, 1) + (*this)(i, 0);
+  return {xx * static_cast<double>(n) / static_cast<double>(m + 1),
+          (*this)(n, m) - (*this)(n, 0) - (*this)(0, m) + (*this)(0, 0),
+          yy * static_cast<double>(m) / static_cast<double>(n + 1)};
+}
+
+std::array<double, 2> Cell_form::mean_flat_direction() const
+{
+  const auto [xx, xy, yy] = mean_hessian();
+  const double half = (xx - yy) / 2;
+  const double root = std::hypot(half, xy);
+  // The eigenvector that belongs to the eigenvalue of smaller absolute value.
+  const double sign = xx + yy > 0 ? 1 : -1;
+  return half * sign > 0 ? std::array{-xy, half + sign * root} : std::array{sign * root - half, -xy};
+}
+
+bool Cell_form::is_surely_regular() const
+{
+  const auto [xx, xy, yy] = mean_hessian();
+  const auto [x, y] = mean_gradient();
+  const double determinant = xx * yy - xy * xy;
+  const double p = 0.5 - (yy * x - xy * y) / determinant;
+  const double q = 0.5 - (xx * y - xy * x) / determinant;
+  if (!(std::fabs(p) < 4) || !(std::fabs(q) < 4)) return false; // any p and q would do; these are too far to help
+  // (x - p) f_x = (1 - p) x f_x - p (1 - x) f_x
+  return !combined_range(1, std::array{std::array{-(1 - p) / 2, p / 2}, std::array{-(1 - q) / 2, q / 2}}).has_zero();
 }
 
 std::vector<double> Cell_form::side(std::size_t normal, bool upper) const

@@ -31,6 +31,10 @@ void cut_line(double* upper, double* lower, std::size_t degree, std::size_t stri
   return 4 * static_cast<double>(degree) * 0x1p-53 * largest + 0x1p-1000;
 }
 
+/// Integers in a common unit, so that the largest is near 1; each differs from the true one by less than `rounding`.
+[[nodiscard]] std::vector<double> rounded(const std::vector<Integer>& values);
+inline constexpr double rounding = 0x1p-52 + 0x1p-1000;
+
 /// \brief A positive multiple of a polynomial on a cell, by its Bernstein coefficients in the cell's own coordinates,
 /// [0,1]^2, rounded: each differs from the true one by at most `error()`.
 class Cell_form
@@ -51,6 +55,18 @@ public:
 
   /// Bounds of the partial derivative of order `order[k]` along axis k on the cell, in its own coordinates.
   [[nodiscard]] Range derivative(std::array<std::size_t, 2> order) const;
+  /// Bounds of the derivative along v, in the cell's own coordinates.
+  [[nodiscard]] Range derivative_along(const std::array<double, 2>& v) const;
+  /// About the mean of the gradient.
+  [[nodiscard]] std::array<double, 2> mean_gradient() const;
+  /// About the means of the second derivatives: xx, xy, yy.
+  [[nodiscard]] std::array<double, 3> mean_hessian() const;
+  /// About the direction in which the gradient changes least, on the mean.
+  [[nodiscard]] std::array<double, 2> mean_flat_direction() const;
+  /// \brief Whether it is certain that the polynomial and its gradient have no common zero on the cell.
+  ///
+  /// Looks at f - (x - p) f_x / 2 - (y - q) f_y / 2, which is a constant for a quadratic polynomial with centre (p, q).
+  [[nodiscard]] bool is_surely_regular() const;
   [[nodiscard]] Range range() const { return {least_ - error_, greatest_ + error_}; }
 
   /// \brief The coefficients on the side where coordinate `normal` is 0 or 1 (`upper`), of the polynomial or of its
@@ -61,6 +77,8 @@ public:
 private:
   Cell_form() = default;
   void measure();
+  template <class Weights>
+  [[nodiscard]] Range combined_range(double own, const Weights& weights) const;
 
   std::array<std::size_t, 2> degree_{};
   std::vector<double> values_;

@@ -9,6 +9,8 @@ namespace corral::geometry {
 namespace {
 
 constexpr double coarse = 0x1p-7;        // of a side: zeros on it should be apart
+constexpr double fine = 0x1p-26;         // where they must be
+constexpr double large = 0x1p-5;         // cells so few that precision, which all others inherit, costs nothing
 constexpr double least_length = 0x1p-40; // of a cell in the unit box: its corners are doubles
 
 struct Event
@@ -52,7 +54,8 @@ Outline Curve_cells::trace(Cell cell)
 {
   if (settings_.checkpoint && cells_ % 256 == 0) settings_.checkpoint();
   ++cells_;
-  if (cell.form.error() > 0x1p-16 * cell.form.largest()) {
+  const double worst = std::max(cell.length(0), cell.length(1)) > large ? 0x1p-32 : 0x1p-16;
+  if (cell.form.error() > worst * cell.form.largest()) {
     const auto side = [&](std::size_t k) {
       return Rational_interval(Rational(cell.box[k].low), Rational(cell.box[k].high));
     };
@@ -92,7 +95,10 @@ Curve_cells::Shape Curve_cells::resolve(Cell& cell, Outline& outline)
     is_graph = true;
     if (resolve_graph(cell, axis, outline) == Shape::done) return Shape::done;
   }
-  return is_graph ? Shape::coarse : resolve_singular(cell, outline);
+  if (is_graph) return Shape::coarse;
+  for (const auto& v : {cell.form.mean_gradient(), cell.form.mean_flat_direction()})
+    if (const Shape shape = resolve_slanted(cell, v, outline); shape != Shape::unclear) return shape;
+  return resolve_singular(cell, outline);
 }
 
 /// The border with all its zeros, up to a part `precision` of its sides.
@@ -117,7 +123,7 @@ Border Curve_cells::border(const Cell& cell, double precision)
       const double width =
           std::min(settings_.tolerance / (8 * settings_.size[1 - normal]), precision * (side.high - side.low));
       auto zeros = isolate(form.side(normal, end == 1), form.error(), ends, side, width);
-      if (!zeros) zeros = isolate_exactly(f_, side, width);
+      if (!zeros) zeros = isolate_exactly(f_, ends, side, width);
       for (const Range& zero : zeros->zeros) {
         std::array<Range, 2> box;
         box[normal] = {side.at, side.at};
@@ -135,6 +141,19 @@ bool Curve_cells::is_small(const Cell& cell) const
          <= settings_.tolerance / 2;
 }
 
+/// Whether the means of the derivatives alone, no larger than the bounds, make `is_flat` false: a quick look.
+bool Curve_cells::is_surely_bent(const Cell& cell, std::size_t axis) const
+{
+  const auto gradient = cell.form.mean_gradient();
+  const auto [xx, xy, yy] = cell.form.mean_hessian();
+  const double along = axis == 0 ? xx : yy;
+  const double across = axis == 0 ? yy : xx;
+  const double slope = std::fabs(gradient[axis] / gradient[1 - axis]);
+  const double second = (std::fabs(along) + 2 * std::fabs(xy) * slope + std::fabs(across) * slope * slope)
+                        / std::fabs(gradient[1 - axis]);
+  return second / 8 * cell.length(1 - axis) * settings_.size[1 - axis] > settings_.tolerance / 2;
+}
+
 /// Whether the chords of the graph over `axis` are close to it. Proof: doc/geometry.md.
 bool Curve_cells::is_flat(const Cell& cell, std::size_t axis) const
 {
@@ -144,6 +163,7 @@ bool Curve_cells::is_flat(const Cell& cell, std::size_t axis) const
     order[1 - axis] = across;
     return cell.form.derivative(order);
   };
+  if (is_surely_bent(cell, axis)) return false;
   const Range across = bound(0, 1);
   const double least = across.low > 0 ? across.low : -across.high;
   const double slope = bound(1, 0).magnitude() / least;
@@ -154,15 +174,19 @@ bool Curve_cells::is_flat(const Cell& cell, std::size_t axis) const
 
 Curve_cells::Shape Curve_cells::resolve_graph(const Cell& cell, std::size_t axis, Outline& outline)
 {
-  if (!is_small(cell) && !is_flat(cell, axis)) return Shape::coarse;
+  const bool small = is_small(cell);
+  if (!small && !is_flat(cell, axis)) return Shape::coarse;
   const std::size_t nodes = graph_.size();
   const std::size_t edges = graph_.edges().size();
-  const Border found = border(cell, coarse);
-  if (connect_graph(found, axis)) {
-    outline = found.outline();
-    return Shape::done;
+  for (const double precision : {coarse, fine}) {
+    const Border found = border(cell, precision);
+    if (connect_graph(found, axis)) {
+      outline = found.outline();
+      return Shape::done;
+    }
+    graph_.roll_back(nodes, edges);
+    if (!small) break; // its halves are looked at anyway
   }
-  graph_.roll_back(nodes, edges);
   return Shape::coarse;
 }
 

@@ -90,6 +90,7 @@ private:
   [[nodiscard]] Outline give_up(const Cell& cell, const std::string& reason);
   [[nodiscard]] Shape resolve(Cell& cell, Outline& outline);
   [[nodiscard]] Shape resolve_graph(const Cell& cell, std::size_t axis, Outline& outline);
+  [[nodiscard]] Shape resolve_slanted(const Cell& cell, const std::array<double, 2>& v, Outline& outline);
   [[nodiscard]] Shape resolve_singular(const Cell& cell, Outline& outline);
   [[nodiscard]] Shape resolve_star(const Cell& cell, std::size_t point, Outline& outline);
   [[nodiscard]] Shape resolve_stack(const Cell& cell, Outline& outline);
@@ -98,8 +99,12 @@ private:
   [[nodiscard]] Direction critical_direction(const Cell& cell) const;
   [[nodiscard]] const Slopes& slopes();
   [[nodiscard]] bool connect_graph(const Border& border, std::size_t axis);
+  [[nodiscard]] bool connect_slanted(const Border& border, const Cell& cell, const std::array<double, 2>& v,
+                                     double span);
   [[nodiscard]] Border border(const Cell& cell, double precision);
+  [[nodiscard]] bool is_surely_bent(const Cell& cell, std::size_t axis) const;
   [[nodiscard]] bool is_flat(const Cell& cell, std::size_t axis) const;
+  [[nodiscard]] double flat_span(const Cell& cell, const std::array<double, 2>& v) const;
   [[nodiscard]] bool is_small(const Cell& cell) const;
 
   const Polynomial<Integer, 2>& f_;

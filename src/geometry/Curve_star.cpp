@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Curve_cells.h"
 
-#include <corral/number/Outward_interval.h>
+#include "in_cell.h"
+
 #include <corral/polynomial/arithmetic.h>
 #include <corral/polynomial/integer_form.h>
 
@@ -11,8 +12,6 @@
 /// \file
 /// Cells with a singular point.
 namespace corral::geometry {
-
-using Interval = Outward_interval;
 
 /// A direction in a cell's coordinates. The linear form that is constant along it is v[1] x - v[0] y.
 struct Direction
@@ -29,17 +28,6 @@ constexpr double algebra_length = 0x1p-9; // of cells for which all are computed
 // Parts of a side up to which its zeros are known, so that signs at them show: two tries.
 constexpr std::array<double, 2> fine{0x1p-26, 0x1p-42};
 constexpr double strip_length = 0x1p-5; // of cells that are compared with all critical values
-
-Interval interval(const Range& range) { return {range.low, range.high}; }
-
-/// A range of the unit box in the coordinate of a cell, which runs from 0 to 1.
-Interval in_cell(const Range& range, const Range& side)
-{
-  // The length of a side is exact and no power of two, so its inverse is enclosed.
-  const double length = side.high - side.low;
-  const Interval inverse(std::nextafter(1 / length, 0.0), std::nextafter(1 / length, HUGE_VAL));
-  return (interval(range) - Interval(side.low)) * inverse;
-}
 
 struct Hessian
 {
@@ -247,7 +235,7 @@ Curve_cells::Shape Curve_cells::resolve_singular(const Cell& cell, Outline& outl
 {
   const double longest = std::max(cell.length(0), cell.length(1));
   auto points = singular_.in(cell.box);
-  if (points.empty() && !singular_.is_complete()) {
+  if (points.empty() && !singular_.is_complete() && !cell.form.is_surely_regular()) {
     if (longest < guess_length && singular_.guess(cell.box))
       points = singular_.in(cell.box);
     else if (longest < algebra_length) {

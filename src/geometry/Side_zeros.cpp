@@ -151,6 +151,13 @@ private:
   Side_zeros result_;
 };
 
+/// f on the line of a side.
+Integer_polynomial on_line(const Polynomial<Integer, 2>& f, std::size_t normal, double at)
+{
+  const auto line = exact::restriction(f, normal, Rational(at));
+  return integer_polynomial(transform<Rational>(line, [](const Integer& c) { return Rational(c); }));
+}
+
 Rational between(Real_root& a, Real_root& b)
 {
   while (a.upper() == b.lower() && (a.is_point() || b.is_point())) {
@@ -160,23 +167,8 @@ Rational between(Real_root& a, Real_root& b)
   return (a.upper() + b.lower()) / 2;
 }
 
-} // namespace
-
-std::optional<Side_zeros> isolate(std::vector<double> coefficients, double error, const std::array<int, 2>& ends,
-                                  const Segment& side, double width)
+Side_zeros isolate_by_integers(const Integer_polynomial& p, const Segment& side, double width)
 {
-  constexpr unsigned max_depth = 20;
-  Isolator isolator(side, width);
-  if (coefficients.size() == 1) return Side_zeros{{}, {ends[0] != 0 ? ends[0] : ends[1]}};
-  if (!isolator.run({std::move(coefficients), error, 0, 1, ends}, max_depth)) return std::nullopt;
-  return isolator.take();
-}
-
-Side_zeros isolate_exactly(const Polynomial<Integer, 2>& f, const Segment& side, double width)
-{
-  const auto restricted = exact::restriction(f, side.normal, Rational(side.at));
-  if (restricted.is_zero()) throw Not_generic{};
-  const auto p = integer_polynomial(transform<Rational>(restricted, [](const Integer& c) { return Rational(c); }));
   const Rational low(side.low);
   const Rational high(side.high);
   auto roots = isolate_real_roots(p, Rational_interval(low, high));
@@ -209,9 +201,31 @@ Side_zeros isolate_exactly(const Polynomial<Integer, 2>& f, const Segment& side,
     if (result.zeros[k].high > result.zeros[k + 1].low) {
       if (width < 0x1p-70) // they are apart, but no doubles lie between them
         throw Budget_exceeded("mesh_curve: two branches are closer than 2^-52 of the box; expected a smaller box");
-      return isolate_exactly(f, side, width / 1024);
+      return isolate_by_integers(p, side, width / 1024);
     }
   return result;
+}
+
+} // namespace
+
+std::optional<Side_zeros> isolate(std::vector<double> coefficients, double error, const std::array<int, 2>& ends,
+                                  const Segment& side, double width)
+{
+  constexpr unsigned max_depth = 20;
+  Isolator isolator(side, width);
+  if (coefficients.size() == 1) return Side_zeros{{}, {ends[0] != 0 ? ends[0] : ends[1]}};
+  if (!isolator.run({std::move(coefficients), error, 0, 1, ends}, max_depth)) return std::nullopt;
+  return isolator.take();
+}
+
+Side_zeros isolate_exactly(const Polynomial<Integer, 2>& f, const std::array<int, 2>& ends, const Segment& side,
+                           double width)
+{
+  const auto p = on_line(f, side.normal, side.at);
+  if (p.is_zero()) throw Not_generic{};
+  const auto q = compose_affine(p, Rational(side.low), Rational(side.high) - Rational(side.low));
+  if (auto zeros = isolate(rounded(bernstein_coefficients(q)), rounding, ends, side, width)) return std::move(*zeros);
+  return isolate_by_integers(p, side, width);
 }
 
 Range range_on_part(std::vector<double> coefficients, double error, const Range& part)
@@ -234,17 +248,13 @@ Range range_on_part(std::vector<double> coefficients, double error, const Range&
 
 int sign_on_side(const Polynomial<Integer, 2>& f, std::size_t normal, double at, const Range& part)
 {
-  const auto line = exact::restriction(f, normal, Rational(at));
-  const auto p = integer_polynomial(transform<Rational>(line, [](const Integer& c) { return Rational(c); }));
-  return strict_sign(evaluate(p, Rational_interval(Rational(part.low), Rational(part.high))));
+  return strict_sign(evaluate(on_line(f, normal, at), Rational_interval(Rational(part.low), Rational(part.high))));
 }
 
 int sign_at(const Polynomial<Integer, 2>& f, double x, double y)
 {
-  const auto line = exact::restriction(f, 0, Rational(x));
-  if (line.is_zero()) return 0;
-  return corral::sign_at(integer_polynomial(transform<Rational>(line, [](const Integer& c) { return Rational(c); })),
-                         Rational(y));
+  const auto line = on_line(f, 0, x);
+  return line.is_zero() ? 0 : corral::sign_at(line, Rational(y));
 }
 
 } // namespace corral::geometry

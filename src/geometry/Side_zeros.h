@@ -34,9 +34,10 @@ struct Side_zeros
 [[nodiscard]] std::optional<Side_zeros> isolate(std::vector<double> coefficients, double error,
                                                 const std::array<int, 2>& ends, const Segment& side, double width);
 
-/// \brief The same by integers, for any polynomial.
+/// \brief The same from the exact polynomial on the side: by doubles again, else by integers.
 /// \throw Not_generic if the polynomial vanishes on the whole side; Budget_exceeded if doubles cannot tell two apart.
-[[nodiscard]] Side_zeros isolate_exactly(const Polynomial<Integer, 2>& f, const Segment& side, double width);
+[[nodiscard]] Side_zeros isolate_exactly(const Polynomial<Integer, 2>& f, const std::array<int, 2>& ends,
+                                         const Segment& side, double width);
 
 /// Bounds, on the part [low, high] of [0, 1], of the polynomial with Bernstein coefficients no further than `error`
 /// from these.

@@ -83,6 +83,7 @@ public:
       : graph_(std::move(graph)), singular_(singular)
   {
     mesh_.box = box;
+    for (std::size_t k = 0; k < 2; ++k) width_[k] = box[k].upper() - box[k].lower();
   }
 
   /// Adds the side of the box between the vertices on it. \param on_side  in increasing order.
@@ -133,10 +134,9 @@ private:
   {
     const auto& whole = mesh_.box[axis];
     if (range.low == 0 && range.high == 1) return whole;
-    const Rational width = whole.upper() - whole.lower();
-    const Rational low = whole.lower() + width * Rational(range.low);
-    return range.low == range.high ? Rational_interval(low)
-                                   : Rational_interval(low, whole.lower() + width * Rational(range.high));
+    Rational low = whole.lower() + width_[axis] * Rational(range.low);
+    if (range.low == range.high) return Rational_interval(std::move(low));
+    return {std::move(low), Rational(whole.lower() + width_[axis] * Rational(range.high))};
   }
 
   [[nodiscard]] Curve_vertex vertex(const Plane_graph::Node& node) const
@@ -152,12 +152,16 @@ private:
       result.is_singular = true;
       result.box = point.box;
     }
-    for (std::size_t k = 0; k < 2; ++k) result.point[k] = (result.box[k].lower() + result.box[k].upper()) / 2;
+    for (std::size_t k = 0; k < 2; ++k)
+      result.point[k] = result.box[k].lower() == result.box[k].upper()
+                            ? result.box[k].lower()
+                            : Rational((result.box[k].lower() + result.box[k].upper()) / 2);
     return result;
   }
 
   Plane_graph graph_;
   const std::vector<Singular_points::Point>& singular_;
+  std::array<Rational, 2> width_;
   std::vector<std::size_t> crossings_;
   Curve_mesh mesh_;
 };

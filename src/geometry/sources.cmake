@@ -3,6 +3,7 @@ target_sources(corral PRIVATE
   geometry/Algebraic_point.cpp
   geometry/Cell_form.cpp
   geometry/Curve_cells.cpp
+  geometry/Curve_slant.cpp
   geometry/Curve_star.cpp
   geometry/Plane_graph.cpp
   geometry/Side_zeros.cpp

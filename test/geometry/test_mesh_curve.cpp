@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "mesh_checks.h"
+#include "reference_curves.h"
 
 #include <corral/errors.h>
 #include <corral/polynomial/arithmetic.h>
@@ -83,6 +84,18 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"close_circles", "(x^2 + y^2 - 1)*(x^2 + y^2 - 1 - 1/1000)", {-2, 2, -2, 2}, 2, 2, 0, 0, 0},
                     Case{"tiny_oval", "1000000*(x^2 + y^2) - 1", {-2, 2, -2, 2}, 1, 1, 0, 0, 0}),
     [](const auto& tested) { return tested.param.name; });
+
+TEST(mesh_curve, counts_the_pieces_of_known_curves)
+{
+  for (const auto& known : test::reference_curves(CORRAL_TEST_DATA)) {
+    const auto mesh = mesh_curve(known.f, known.box, {Rational(1, 20)});
+    EXPECT_TRUE(mesh.is_certified()) << known.name;
+    EXPECT_EQ(mesh.components.size(), known.components) << known.name;
+    EXPECT_EQ(mesh.closed_components(), known.closed) << known.name;
+    EXPECT_EQ(mesh.isolated_points(), known.isolated) << known.name;
+    EXPECT_EQ(test::find_loose_end(mesh), "") << known.name;
+  }
+}
 
 TEST(mesh_curve, counts_do_not_depend_on_the_coordinates)
 {
