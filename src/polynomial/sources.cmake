@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 target_sources(corral PRIVATE
+  polynomial/Polynomial_lexer.cpp
+  polynomial/characters.cpp
+  polynomial/names.cpp
   polynomial/parse.cpp
   polynomial/square_free.cpp
   polynomial/substitution.cpp

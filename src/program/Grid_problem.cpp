@@ -10,7 +10,7 @@ void add_grid_options(CLI::App& command, Grid_arguments& arguments, const std::s
       ->required();
   command.add_option("--resolution", arguments.resolution, "number of cells along each axis: N or NX,NY[,NZ]")
       ->required();
-  command.add_option("--variables", arguments.variables, "names of the axes in order (else alphabetical)");
+  command.add_option("--variables", arguments.variables, "names of the axes in order (else x, y, z; see doc/input.md)");
 }
 
 } // namespace corral::program

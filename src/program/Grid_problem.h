@@ -29,7 +29,8 @@ void add_grid_options(CLI::App& command, Grid_arguments& arguments, const std::s
 template <std::size_t D>
 struct Grid_problem
 {
-  std::vector<std::string> texts;
+  std::vector<std::string> texts;    ///< as given
+  std::vector<std::string> readings; ///< as read
   std::vector<std::string> variables;
   std::vector<Polynomial<Rational, D>> system;
   Grid<D> grid;
@@ -39,16 +40,17 @@ struct Grid_problem
 template <class Function>
 void with_problem(const Grid_arguments& arguments, const Function& function)
 {
-  std::vector<std::string> texts;
-  for (const auto& argument : arguments.polynomials) texts.push_back(polynomial_text(argument));
-  const Space space = read_space(arguments.box, arguments.variables, texts);
+  const auto formulas = formulas_of(arguments.polynomials);
+  const Space space = read_space(arguments.box, arguments.variables, formulas);
   with_dimension(space, [&](auto dimension) {
     constexpr std::size_t D = dimension;
-    auto system = polynomials_of<D>(space, texts);
+    auto system = polynomials_of<D>(space, formulas);
+    auto readings = readings_of<D>(space, system);
     const auto counts = read_resolution(arguments.resolution, D);
     Resolution<D> resolution;
     std::copy_n(counts.begin(), D, resolution.begin());
-    function(Grid_problem<D>{texts, space.variables, std::move(system), Grid<D>(box_of<D>(space), resolution)});
+    function(Grid_problem<D>{texts_of(formulas), std::move(readings), space.variables, std::move(system),
+                             Grid<D>(box_of<D>(space), resolution)});
   });
 }
 

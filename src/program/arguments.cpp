@@ -2,12 +2,7 @@
 #include "arguments.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
-#include <cstring>
-#include <fstream>
-#include <iostream>
-#include <iterator>
 #include <set>
 
 namespace corral::program {
@@ -41,18 +36,6 @@ std::string joined(const std::vector<std::string>& words)
   return result;
 }
 
-std::string read_all(std::istream& in, const std::string& name)
-{
-  std::string text;
-  char buffer[1 << 16];
-  while (in.read(buffer, sizeof buffer), in.gcount() > 0) {
-    text.append(buffer, static_cast<std::size_t>(in.gcount()));
-    if (text.size() > max_file_size) throw Invalid_input("polynomial: " + name + " is larger than 64 MiB");
-  }
-  if (in.bad()) throw Invalid_input("polynomial: cannot read " + name);
-  return text;
-}
-
 Rational_interval read_side(const std::string& text, std::size_t axis)
 {
   const auto ends = split(text, ':');
@@ -78,29 +61,56 @@ void require_variable_names(const std::vector<std::string>& names)
   }
 }
 
-// Adds x, y, z, as far as they are not there, until every side has a name.
-void name_further_axes(std::set<std::string>& names, std::size_t dimension)
+// The names that need no explanation.
+const std::vector<std::string> standard_names{"x", "y", "z"};
+
+// Whether mathematicians write variables so: one letter, but for numbers with a name.
+bool is_letter(const std::string& name) { return name.size() == 1 && name != "e" && name != "i" && name != "_"; }
+
+// A letter and a number, as x1. Beside x itself, it may be a power or a product.
+bool is_letter_with_index(const std::string& name)
 {
-  for (const char* const name : {"x", "y", "z"})
-    if (names.size() < dimension) names.insert(name);
-  if (names.size() < dimension)
+  return name.size() > 1 && name[0] != '_'
+         && std::all_of(name.begin() + 1, name.end(), [](char c) { return '0' <= c && c <= '9'; });
+}
+
+// No axis is made of a name that may be a slip: of `xy` or `pi`, or of `a` where x or y may be meant.
+void require_known_names(const std::vector<std::string>& names, std::size_t dimension)
+{
+  const bool are_indexed = std::all_of(names.begin(), names.end(), is_letter_with_index);
+  for (const auto& name : names) {
+    if (std::find(standard_names.begin(), standard_names.end(), name) != standard_names.end()) continue;
+    if (names.size() >= dimension && (are_indexed || is_letter(name))) continue;
+    throw Invalid_input("variables: '" + detail::printable_excerpt(name, 0) + "' is a new name"
+                        + detail::meaning_of_name(name, standard_names) + "; expected " + joined(standard_names)
+                        + ", or --variables with a name for each side of the box");
+  }
+}
+
+// Adds x, y, z, as far as they are not there, until every side has a name.
+std::vector<std::string> with_further_axes(std::vector<std::string> names, std::size_t dimension)
+{
+  if (names.size() < dimension && dimension > standard_names.size()) // t, x, y, z or x, y, z, t?
     throw Invalid_input("variables: the box has " + std::to_string(dimension)
                         + " sides; expected a name for each, as in --variables t,x,y,z");
+  for (const auto& name : standard_names)
+    if (names.size() < dimension && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 } // namespace
 
-std::string polynomial_text(const std::string& argument)
+std::vector<std::string> names_in(const std::vector<Formula>& formulas)
 {
-  if (argument.empty() || argument[0] != '@') return argument;
-  const std::string name = argument.substr(1);
-  if (name == "-") return read_all(std::cin, "standard input");
-  std::ifstream in(name, std::ios::binary);
-  if (!in) throw Invalid_input("polynomial: cannot read file '" + name + "': " + std::strerror(errno));
-  return read_all(in, "file '" + name + "'");
+  std::set<std::string> names;
+  for (const auto& formula : formulas)
+    for (auto& name : read_formula(formula, [](const std::string& text) { return variables_in(text); }))
+      names.insert(std::move(name));
+  return detail::without_products({names.begin(), names.end()});
 }
 
-Space read_space(const std::string& box, const std::string& variables, const std::vector<std::string>& polynomials)
+Space read_space(const std::string& box, const std::string& variables, const std::vector<Formula>& polynomials)
 {
   Space space;
   const auto sides = split(box, ',');
@@ -117,15 +127,19 @@ Space read_space(const std::string& box, const std::string& variables, const std
     require_variable_names(space.variables);
     return space;
   }
-  std::set<std::string> names;
-  for (const auto& polynomial : polynomials)
-    for (auto& name : variables_in(polynomial)) names.insert(std::move(name));
+  auto names = names_in(polynomials);
+  require_known_names(names, sides.size());
   if (names.size() > sides.size())
     throw Invalid_input("box: given " + detail::quantity(sides.size(), "side")
-                        + "; expected one for each of the variables " + joined({names.begin(), names.end()}));
-  name_further_axes(names, sides.size());
-  space.variables.assign(names.begin(), names.end());
+                        + "; expected one for each of the variables " + joined(names));
+  space.variables = with_further_axes(std::move(names), sides.size());
   return space;
+}
+
+std::pair<std::string, Output_options::Fact> reading_fact(const std::vector<std::string>& readings)
+{
+  if (readings.size() == 1) return {"polynomial", readings[0]};
+  return {"polynomial", readings};
 }
 
 std::vector<std::uint32_t> read_resolution(const std::string& text, std::size_t dimension)

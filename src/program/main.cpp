@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <corral/errors.h>
 
+#include "Formula.h"
 #include "Progress.h"
 #include "commands.h"
 #include "files.h"
@@ -111,6 +112,10 @@ int run(int argc, char** argv)
     return execute(app, argc, argv);
   } catch (const CLI::ParseError& error) {
     return complain(error.what() + ("; see " + path_of_commands(app)) + " --help", bad_usage);
+  } catch (const Formula_error& error) {
+    const int code = complain(error.what(), bad_usage);
+    std::cerr << error.excerpt << '\n';
+    return code;
   } catch (const Invalid_input& error) {
     return complain(error.what(), bad_usage);
   } catch (const Cancelled&) {

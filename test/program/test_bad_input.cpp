@@ -50,15 +50,16 @@ TEST(Bad_input, polynomials)
 {
   expect_polynomial_refused("(x", "this ( has no )");
   expect_polynomial_refused("x)", "this ) has no (");
-  expect_polynomial_refused("2x", "implicit product");
-  expect_polynomial_refused("x y", "implicit product");
+  expect_polynomial_refused("1/2x", "(a/2)*x or a/(2*x)");
   expect_polynomial_refused("1/0", "division by zero");
   expect_polynomial_refused("x^-1", "exponent");
-  expect_polynomial_refused("sin(x)+y", "implicit product or function");
-  expect_polynomial_refused("x=y", "as x - y for x = y");
+  expect_polynomial_refused("sin(x)+y", "the function sin is no polynomial");
+  expect_polynomial_refused("x=y=1", "a second equals sign");
   expect_polynomial_refused("x^1000000", "degree 1000000");
   expect_polynomial_refused("x + \xc3\xa9", "ASCII");
   expect_polynomial_refused("x + \x01\n", "ASCII");
+  expect_polynomial_refused("xy - 1", "'xy' is a new name; a product is written x*y");
+  expect_polynomial_refused("x^2 - pi", "'pi' is a new name; pi is not rational");
   expect_polynomial_refused("", "expected");
   expect_polynomial_refused("x - x", "every point is a zero");
   expect_polynomial_refused("0", "every point is a zero");

@@ -38,7 +38,7 @@ Paper_subjects<D> paper_subjects()
   Paper_subjects<D> result;
   for (const Example& example : examples()) {
     if (example.dimension != D) continue;
-    const std::vector<std::string> text{std::string(example.polynomial)};
+    const std::vector<Formula> text{std::string(example.polynomial)};
     const Space space = read_space(std::string(example.box()), D == 2 ? "x,y" : "x,y,z", text);
     result.subjects.push_back({polynomials_of<D>(space, text).front(), box_of<D>(space), example.resolution()});
     result.numbers.push_back(example.number);

@@ -108,6 +108,10 @@ template <std::size_t D>
 Json summary(const Raster_audit<D>& audit, const Evidence_finder<D>& evidence)
 {
   Json result{{"audit", "raster"}, {"polynomials", audit.polynomials}};
+  if (audit.readings.size() == 1)
+    result["polynomial"] = audit.readings[0];
+  else
+    result["polynomial"] = audit.readings;
   if (const std::string g = square_free_text(audit, evidence); !g.empty()) result["square_free_part"] = g;
   result["variables"] = audit.variables;
   for (const auto& side : audit.grid.box()) result["box"].push_back({to_string(side.lower()), to_string(side.upper())});

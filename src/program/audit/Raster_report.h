@@ -23,6 +23,7 @@ struct Raster_audit
   Grid<D> grid;
   std::array<std::string, D> variables;
   std::vector<std::string> polynomials; ///< as given
+  std::vector<std::string> readings;    ///< as read
   std::string file;
   std::uint64_t repeated = 0;
   Raster_judgement<D> judgement;

@@ -74,7 +74,7 @@ void audit_in(const Raster_arguments& arguments, const Grid_problem<D>& problem)
   if (system.size() > (D == 1 ? 1 : 2))
     throw Invalid_input("audit raster: given " + detail::quantity(system.size(), "polynomial") + " in "
                         + detail::quantity(D, "dimension") + "; expected 1, or 2 in 2 or 3 dimensions");
-  Raster_audit<D> audit{problem.grid, {}, problem.texts, arguments.cells, 0, {}};
+  Raster_audit<D> audit{problem.grid, {}, problem.texts, problem.readings, arguments.cells, 0, {}};
   std::copy_n(problem.variables.begin(), D, audit.variables.begin());
   Raster_options reading = arguments.reading;
   reading.variables = problem.variables;

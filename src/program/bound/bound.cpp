@@ -56,7 +56,9 @@ void print(const Value_answer& at_point)
 
 void print(const Bound_answer& answer, const std::string& number)
 {
-  std::cout << "exact:   " << answer.exact << '\n' << "decimal: " << answer.decimal << '\n';
+  std::cout << "polynomial: " << answer.polynomial << '\n'
+            << "exact:   " << answer.exact << '\n'
+            << "decimal: " << answer.decimal << '\n';
   if (answer.counts != Operation_counts{})
     std::cout << "counted: " << answer.counts.additions << " additions, " << answer.counts.multiplications
               << " multiplications\n";
@@ -68,8 +70,8 @@ void print(const Bound_answer& answer, const std::string& number)
 void bound_command(const Bound_arguments& arguments)
 {
   const Method& method = arguments.method;
-  const std::string text = polynomial_text(arguments.polynomial);
-  Bound_problem problem{read_space(arguments.box, arguments.variables, {text}), text, method, {}};
+  const Formula formula = single_formula_of(arguments.polynomial);
+  Bound_problem problem{read_space(arguments.box, arguments.variables, {formula}), formula, method, {}};
   if (arguments.point) problem.point = read_point(*arguments.point, problem.space);
   const Mpfr_precision_scope precision(method.precision);
   const auto answer =
@@ -90,7 +92,8 @@ void add_bound(CLI::App& app)
       ->add_option("--box", arguments->box,
                    "LOWER:UPPER for each axis, separated by commas, such as -1:1,0:3/2; a side may be a point, 1:1")
       ->required();
-  command->add_option("--variables", arguments->variables, "names of the axes in order (else alphabetical)");
+  command->add_option("--variables", arguments->variables,
+                      "names of the axes in order (else x, y, z; see doc/input.md)");
   add_method_options(*command, arguments->method);
   command->add_option("--at", arguments->point,
                       "X,Y,...: a point of the box; says whether the bound contains the exact value there");

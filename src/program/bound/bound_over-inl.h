@@ -21,6 +21,7 @@ template <IntervalNumber I, std::size_t D>
 void bound_in(const Bound_problem& problem, Bound_answer& answer)
 {
   const auto exact = polynomials_of<D>(problem.space, {problem.polynomial}).front();
+  answer.polynomial = readings_of<D>(problem.space, {exact}).front();
   const Arithmetic_scope<I> arithmetic;
   const auto f = transform<I>(exact, [](const Rational& c) { return enclose<I>(c); });
   const auto bounder = make_bounder<I, D>(problem.method, f);

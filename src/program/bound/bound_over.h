@@ -18,7 +18,7 @@ namespace corral::program {
 struct Bound_problem
 {
   Space space;
-  std::string polynomial;
+  Formula polynomial;
   Method method;
   std::vector<Rational> point{}; ///< of the box, one coordinate for each axis, whose value is looked for; else empty
 };
@@ -33,8 +33,9 @@ struct Value_answer
 /// The interval as text, and what to say of it.
 struct Bound_answer
 {
-  std::string exact;   ///< hexadecimal floats or fractions
-  std::string decimal; ///< rounded outward
+  std::string polynomial; ///< as read
+  std::string exact;      ///< hexadecimal floats or fractions
+  std::string decimal;    ///< rounded outward
   bool is_guaranteed = false;
   Operation_counts counts; ///< of the one bound, where the number type counts
   std::optional<Value_answer> at_point;

@@ -48,6 +48,7 @@ void certify_in(const Certify_arguments& arguments, const Grid_problem<D>& probl
   write_whole_file(arguments.output, [&](std::ostream& stream) { stream << bytes; });
   files_are_written();
   print_summary(certificate, arguments.output, bytes.size());
+  for (const auto& reading : problem.readings) std::cout << "polynomial: " << reading << '\n';
 }
 
 void certify_command(const Certify_arguments& arguments)

@@ -206,7 +206,7 @@ Outcome<D> compute(const std::vector<Polynomial<Rational, D>>& system, const Gri
 template <std::size_t D>
 void localize_in(const Localize_arguments& arguments, const Grid_problem<D>& problem)
 {
-  const auto& [texts, variables, system, grid] = problem;
+  const auto& [texts, readings, variables, system, grid] = problem;
   for (const auto& path : arguments.outputs) static_cast<void>(writer_for<D>(path)); // fail before the work, not after
   for (std::size_t k = 0; k < system.size(); ++k)
     if (system[k].is_zero())
@@ -218,6 +218,7 @@ void localize_in(const Localize_arguments& arguments, const Grid_problem<D>& pro
   Output_options options;
   options.variables = variables;
   options.facts = outcome.facts;
+  options.facts.insert(options.facts.begin() + 1, reading_fact(readings)); // behind the texts as given
   options.cell_notes = notes(outcome.decided);
   options.cell_notes.in_csv = arguments.rungs;
   options.size = arguments.size;

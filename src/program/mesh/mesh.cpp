@@ -56,13 +56,12 @@ void mesh_command(const Mesh_arguments& arguments)
   require_outputs_are_no_inputs(arguments.outputs, arguments.polynomials);
   for (const auto& path : arguments.outputs)
     static_cast<void>(mesh_writer_for(path)); // fail before the work, not after
-  std::vector<std::string> texts;
-  for (const auto& argument : arguments.polynomials) texts.push_back(polynomial_text(argument));
-  const Space space = read_space(arguments.box, arguments.variables, texts);
+  const auto formulas = formulas_of(arguments.polynomials);
+  const Space space = read_space(arguments.box, arguments.variables, formulas);
   if (space.sides.size() != 2)
     throw Invalid_input("mesh: given " + detail::quantity(space.sides.size(), "axis")
                         + "; expected a curve in the plane, so 2");
-  const auto curves = polynomials_of<2>(space, texts);
+  const auto curves = polynomials_of<2>(space, formulas);
   const auto box = box_of<2>(space);
 
   Progress progress("mesh");
@@ -73,7 +72,7 @@ void mesh_command(const Mesh_arguments& arguments)
   std::vector<double> seconds;
   for (unsigned k = 0; k < arguments.repeat && (k == 0 || interrupted_by() == 0); ++k) {
     const auto start = std::chrono::steady_clock::now();
-    meshes = compute(texts, curves, box, tolerance, run);
+    meshes = compute(texts_of(formulas), curves, box, tolerance, run);
     seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
   if (interrupted_by() != 0) keep_what_is_proved();
@@ -82,7 +81,9 @@ void mesh_command(const Mesh_arguments& arguments)
   Output_options output;
   output.variables = space.variables;
   output.size = arguments.size;
-  output.facts = {{"tolerance", to_string(tolerance)}, {"seconds", seconds[seconds.size() / 2]}};
+  output.facts = {reading_fact(readings_of<2>(space, curves)),
+                  {"tolerance", to_string(tolerance)},
+                  {"seconds", seconds[seconds.size() / 2]}};
   if (seconds.size() > 1)
     output.facts.insert(output.facts.end(),
                         {{"repeat", std::uint64_t{seconds.size()}}, {"seconds_min", seconds.front()}});
@@ -112,7 +113,8 @@ void add_mesh(CLI::App& app)
       ->required();
   command->add_option("--box", arguments->box, "LOWER:UPPER for each axis, separated by a comma, such as -1:1,0:3/2")
       ->required();
-  command->add_option("--variables", arguments->variables, "names of the axes in order (else alphabetical)");
+  command->add_option("--variables", arguments->variables,
+                      "names of the axes in order (else x, y, z; see doc/input.md)");
   command
       ->add_option("--tolerance", arguments->tolerance,
                    "greatest distance between curve and polylines, both ways, in the units of the box")

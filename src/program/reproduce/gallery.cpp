@@ -108,7 +108,8 @@ struct Counts
 // Writes the picture and the data of a figure.
 Counts draw(const fs::path& folder, const Figure& figure)
 {
-  const Space space = read_space(figure.box, "", figure.polynomials);
+  const std::vector<Formula> polynomials(figure.polynomials.begin(), figure.polynomials.end());
+  const Space space = read_space(figure.box, "", polynomials);
   Counts counts{};
   with_dimension(space, [&](auto dimension) {
     constexpr std::size_t D = dimension;
@@ -116,7 +117,7 @@ Counts draw(const fs::path& folder, const Figure& figure)
       Resolution<D> resolution;
       resolution.fill(read_resolution(figure.resolution, 1)[0]);
       const Grid<D> grid(box_of<D>(space), resolution);
-      const auto found = localize_by_name<D>(polynomials_of<D>(space, figure.polynomials), grid, figure.settings);
+      const auto found = localize_by_name<D>(polynomials_of<D>(space, polynomials), grid, figure.settings);
       Output_options options;
       options.variables = space.variables;
       // A picture of one verdict alone says nothing by its colour; the paper's figures are black.

@@ -20,7 +20,7 @@ template <class Visit>
 void with_example(int number, unsigned resolution, const Visit& visit)
 {
   const Example& example = examples()[static_cast<std::size_t>(number - 1)];
-  const std::vector<std::string> polynomial{std::string(example.polynomial)};
+  const std::vector<Formula> polynomial{std::string(example.polynomial)};
   const Space space = read_space(std::string(example.box()), example.dimension == 2 ? "x,y" : "x,y,z", polynomial);
   with_dimension(space, [&](auto dimension) {
     Resolution<dimension> all;

@@ -14,7 +14,6 @@
 #include <array>
 #include <iostream>
 #include <memory>
-#include <set>
 
 namespace corral::program {
 
@@ -88,6 +87,7 @@ Printed_zero printed(Algebraic_point point, int digits)
 
 struct Printed_zeros
 {
+  std::vector<std::string> readings; ///< of the polynomials
   std::vector<Printed_zero> zeros;
   std::string common_curve{}; // empty if there is none
 };
@@ -126,53 +126,56 @@ void print_json(const Printed_zeros& found, const std::vector<std::string>& vari
     if (!zero.exact.empty()) entry["exact"] = zero.exact;
     list.push_back(std::move(entry));
   }
-  nlohmann::ordered_json result{{"variables", variables}, {"zeros", std::move(list)}};
+  nlohmann::ordered_json result;
+  if (found.readings.size() == 1)
+    result["polynomial"] = found.readings[0];
+  else
+    result["polynomial"] = found.readings;
+  result.update({{"variables", variables}, {"zeros", std::move(list)}});
   if (!found.common_curve.empty()) result["common_curve"] = found.common_curve;
   std::cout << result.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
 // The names of the axes: those of the polynomials, and further ones if there are too few for the equations.
-Space whole_space(const Solve_arguments& arguments, const std::vector<std::string>& texts)
+Space whole_space(const Solve_arguments& arguments, const std::vector<Formula>& formulas)
 {
-  std::set<std::string> names;
-  for (const auto& text : texts)
-    for (auto& name : variables_in(text)) names.insert(std::move(name));
-  const std::size_t count = std::max(names.size(), texts.size());
+  const std::size_t count = std::max(names_in(formulas).size(), formulas.size());
   std::string sides = "0:1";
   for (std::size_t k = 1; k < count; ++k) sides += ",0:1";
-  return read_space(sides, arguments.variables, texts);
+  return read_space(sides, arguments.variables, formulas);
 }
 
-Printed_zeros solved(const Solve_arguments& arguments, const Space& space, const std::vector<std::string>& texts,
+Printed_zeros solved(const Solve_arguments& arguments, const Space& space, const std::vector<Formula>& formulas,
                      const Run_options& run)
 {
   const bool bounded = !arguments.box.empty();
   Printed_zeros result;
-  if (space.sides.size() == 1 && texts.size() == 1) {
+  if (space.sides.size() == 1 && formulas.size() == 1) {
     const auto interval = bounded ? std::optional(space.sides[0]) : std::nullopt;
-    for (const auto& root : solve(polynomials_of<1>(space, texts)[0], interval, run))
-      result.zeros.push_back(printed(root, arguments.digits));
-  } else if (space.sides.size() == 2 && texts.size() == 2) {
-    const auto system = polynomials_of<2>(space, texts);
+    const auto system = polynomials_of<1>(space, formulas);
+    result.readings = readings_of<1>(space, system);
+    for (const auto& root : solve(system[0], interval, run)) result.zeros.push_back(printed(root, arguments.digits));
+  } else if (space.sides.size() == 2 && formulas.size() == 2) {
+    const auto system = polynomials_of<2>(space, formulas);
+    result.readings = readings_of<2>(space, system);
     const auto box = bounded ? std::optional(box_of<2>(space)) : std::nullopt;
     const auto found = solve(system[0], system[1], box, run);
     for (const auto& point : found.points) result.zeros.push_back(printed(point, arguments.digits));
     if (!found.common_curve.is_constant())
       result.common_curve = to_string(found.common_curve, std::array{space.variables[0], space.variables[1]});
   } else
-    throw Invalid_input("solve: given " + detail::quantity(texts.size(), "polynomial") + " in "
+    throw Invalid_input("solve: given " + detail::quantity(formulas.size(), "polynomial") + " in "
                         + detail::quantity(space.sides.size(), "variable") + "; expected as many as variables, 1 or 2");
   return result;
 }
 
 void solve_command(const Solve_arguments& arguments)
 {
-  std::vector<std::string> texts;
-  for (const auto& argument : arguments.polynomials) texts.push_back(polynomial_text(argument));
-  const Space space =
-      arguments.box.empty() ? whole_space(arguments, texts) : read_space(arguments.box, arguments.variables, texts);
+  const auto formulas = formulas_of(arguments.polynomials);
+  const Space space = arguments.box.empty() ? whole_space(arguments, formulas)
+                                            : read_space(arguments.box, arguments.variables, formulas);
   Progress progress("solve");
-  const auto found = solved(arguments, space, texts, progress.run());
+  const auto found = solved(arguments, space, formulas, progress.run());
   if (arguments.format == "csv")
     print_csv(found, space.variables);
   else if (arguments.format == "json")
@@ -193,7 +196,8 @@ void add_solve(CLI::App& app)
       ->required();
   command->add_option("--box", arguments->box, "LOWER:UPPER for each axis, separated by a comma")
       ->default_str("the whole line or plane");
-  command->add_option("--variables", arguments->variables, "names of the axes in order (else alphabetical)");
+  command->add_option("--variables", arguments->variables,
+                      "names of the axes in order (else x, y, z; see doc/input.md)");
   command->add_option("--digits", arguments->digits, "significant digits to print; the rest is cut off, none is wrong")
       ->check(whole_number(1, 10000))
       ->capture_default_str();
