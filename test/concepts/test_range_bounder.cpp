@@ -40,7 +40,7 @@ struct Without_dimension
   using Interval = Archetype::Interval;
   using Polynomial = Archetype::Polynomial;
   using Box = Archetype::Box;
-  static constexpr std::string_view name = "";
+  [[maybe_unused]] static constexpr std::string_view name = "";
   explicit Without_dimension(const Polynomial&);
   Interval bound(const Box&) const;
 };

@@ -419,12 +419,15 @@ TEST(Ideal_raster, takes_cells_that_were_not_visited_for_unknown)
 {
   const auto f = parse_polynomial<2>("x^2+y^2-2", {"x", "y"});
   const Grid<2> grid(around, {64, 64});
-  Raster_builder<2> cells;
-  cells.append({9, 9}, Verdict::unknown);
+  Raster_builder<2> cells; // what is left of the y axis
+  for (const auto& [cell, verdict] : localize(f, grid))
+    if (cell[0] < 32) cells.append(cell, verdict);
   cells.leave({{32, 0}, {64, 64}});
   const auto ideal = ideal_raster(f, std::move(cells).finish(grid, true), {}, {.keep_rungs = true, .recheck = true});
   EXPECT_TRUE(ideal.raster.was_stopped());
   EXPECT_EQ(ideal.raster.unknown(), 2048U);
+  EXPECT_GT(ideal.raster.hit(), 30U);
+  EXPECT_EQ(ideal.rechecked, 4096);
   EXPECT_EQ(ideal.reasons.size(), 1U);
   EXPECT_EQ(ideal.reasons.begin()->second, 2048U);
   EXPECT_EQ(ideal.raster.verdict({63, 63}), Verdict::unknown);
