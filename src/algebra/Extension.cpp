@@ -3,7 +3,7 @@
 
 #include "Flint_integer_polynomial.h"
 
-#include <corral/number/Wrong_answer.h>
+#include <corral/internal/number/Wrong_answer.h>
 
 #include <algorithm>
 #include <flint/fmpq_poly.h>

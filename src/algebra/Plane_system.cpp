@@ -4,7 +4,7 @@
 #include "../polynomial/to_exponent.h"
 #include "Extension.h"
 
-#include <corral/number/Wrong_answer.h>
+#include <corral/internal/number/Wrong_answer.h>
 
 #include <algorithm>
 #include <iterator>

@@ -8,8 +8,8 @@
 #include "multivariate.h"
 
 #include <corral/errors.h>
+#include <corral/internal/polynomial/integer_form.h>
 #include <corral/polynomial/arithmetic.h>
-#include <corral/polynomial/integer_form.h>
 
 #include <flint/fmpz_mpoly_factor.h>
 #include <flint/nmod_poly.h>

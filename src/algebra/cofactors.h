@@ -2,7 +2,7 @@
 #ifndef CORRAL_SRC_ALGEBRA_COFACTORS_H
 #define CORRAL_SRC_ALGEBRA_COFACTORS_H
 
-#include <corral/algebra/Checkpoint.h>
+#include <corral/internal/algebra/Checkpoint.h>
 #include <corral/number/Rational.h>
 #include <corral/polynomial/Polynomial.h>
 

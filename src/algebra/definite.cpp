@@ -3,8 +3,8 @@
 
 #include "../polynomial/Flint_ring.h"
 
+#include <corral/internal/polynomial/integer_form.h>
 #include <corral/polynomial/arithmetic.h>
-#include <corral/polynomial/integer_form.h>
 
 #include <optional>
 

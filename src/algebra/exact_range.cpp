@@ -3,7 +3,7 @@
 
 #include <corral/algebra/exact_range.h>
 #include <corral/errors.h>
-#include <corral/polynomial/integer_form.h>
+#include <corral/internal/polynomial/integer_form.h>
 #include <corral/polynomial/substitution.h>
 
 #include <algorithm>

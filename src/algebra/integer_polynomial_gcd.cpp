@@ -5,7 +5,7 @@
 
 #include <corral/algebra/Integer_polynomial.h>
 #include <corral/errors.h>
-#include <corral/number/Wrong_answer.h>
+#include <corral/internal/number/Wrong_answer.h>
 
 #include <algorithm>
 #include <optional>

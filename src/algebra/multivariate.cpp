@@ -2,8 +2,8 @@
 #include "multivariate.h"
 
 #include <corral/errors.h>
+#include <corral/internal/polynomial/integer_form.h>
 #include <corral/polynomial/arithmetic.h>
-#include <corral/polynomial/integer_form.h>
 
 #include <string>
 #include <utility>

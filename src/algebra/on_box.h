@@ -4,8 +4,8 @@
 
 #include "Bernstein_form.h"
 
+#include <corral/internal/polynomial/integer_form.h>
 #include <corral/polynomial/Box.h>
-#include <corral/polynomial/integer_form.h>
 #include <corral/polynomial/substitution.h>
 
 #include <cstddef>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "restriction.h"
 
+#include <corral/internal/polynomial/integer_form.h>
 #include <corral/polynomial/evaluate.h>
-#include <corral/polynomial/integer_form.h>
 
 #include <algorithm>
 #include <utility>

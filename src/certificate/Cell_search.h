@@ -4,8 +4,8 @@
 
 #include "Counted_form.h"
 
-#include <corral/algebra/Checkpoint.h>
 #include <corral/decision/Witness.h>
+#include <corral/internal/algebra/Checkpoint.h>
 
 #include <algorithm>
 #include <array>

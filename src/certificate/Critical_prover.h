@@ -4,8 +4,8 @@
 
 #include "Counted_form.h"
 
-#include <corral/algebra/Checkpoint.h>
 #include <corral/certificate/certificate.h>
+#include <corral/internal/algebra/Checkpoint.h>
 
 #include <cstddef>
 #include <iterator>

@@ -8,9 +8,9 @@
 #include <corral/certificate/certificate.h>
 #include <corral/decision/ideal_system.h>
 #include <corral/errors.h>
-#include <corral/localization/Subdivision.h>
+#include <corral/internal/localization/Subdivision.h>
+#include <corral/internal/polynomial/integer_form.h>
 #include <corral/polynomial/arithmetic.h>
-#include <corral/polynomial/integer_form.h>
 #include <corral/polynomial/square_free.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <corral/certificate/certificate.h>
-#include <corral/polynomial/integer_form.h>
+#include <corral/internal/polynomial/integer_form.h>
 
 #include <nlohmann/json.hpp>
 

@@ -4,9 +4,9 @@
 #include "Counted_form.h"
 
 #include <corral/algebra/Integer_polynomial.h>
+#include <corral/internal/polynomial/integer_form.h>
 #include <corral/polynomial/arithmetic.h>
 #include <corral/polynomial/evaluate.h>
-#include <corral/polynomial/integer_form.h>
 #include <corral/polynomial/substitution.h>
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 #ifndef CORRAL_SRC_DECISION_CELL_CREW_H
 #define CORRAL_SRC_DECISION_CELL_CREW_H
 
-#include <corral/algebra/Checkpoint.h>
 #include <corral/decision/ideal_raster.h>
 #include <corral/errors.h>
+#include <corral/internal/algebra/Checkpoint.h>
 
 #include <algorithm>
 #include <atomic>

@@ -7,8 +7,8 @@
 
 #include <corral/decision/ideal_raster.h>
 #include <corral/errors.h>
+#include <corral/internal/polynomial/integer_form.h>
 #include <corral/localization/Raster_builder.h>
-#include <corral/polynomial/integer_form.h>
 #include <corral/polynomial/substitution.h>
 
 #include <algorithm>

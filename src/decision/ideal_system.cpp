@@ -7,7 +7,7 @@
 
 #include <corral/decision/ideal_system.h>
 #include <corral/errors.h>
-#include <corral/polynomial/integer_form.h>
+#include <corral/internal/polynomial/integer_form.h>
 
 #include <string>
 #include <utility>

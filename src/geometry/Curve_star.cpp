@@ -3,8 +3,8 @@
 
 #include "in_cell.h"
 
+#include <corral/internal/polynomial/integer_form.h>
 #include <corral/polynomial/arithmetic.h>
-#include <corral/polynomial/integer_form.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 
 #include "../algebra/Projected_zeros.h"
 
-#include <corral/algebra/Checkpoint.h>
+#include <corral/internal/algebra/Checkpoint.h>
 
 #include <optional>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Prime_field.h"
 
-#include <corral/number/Wrong_answer.h>
+#include <corral/internal/number/Wrong_answer.h>
 
 #include <flint/ulong_extras.h>
 

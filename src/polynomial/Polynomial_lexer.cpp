@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <corral/errors.h>
-#include <corral/polynomial/Polynomial_lexer.h>
+#include <corral/internal/polynomial/Polynomial_lexer.h>
 
 #include "characters.h"
 #include "names.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include <corral/polynomial/Polynomial_lexer.h>
+#include <corral/internal/polynomial/Polynomial_lexer.h>
 #include <corral/polynomial/parse.h>
 
 #include "names.h"

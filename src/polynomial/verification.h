@@ -5,7 +5,7 @@
 #include "../number/Prime_field.h"
 #include "Flint_ring.h"
 
-#include <corral/number/Wrong_answer.h>
+#include <corral/internal/number/Wrong_answer.h>
 
 #include <flint/fmpz_mpoly_factor.h>
 

@@ -5,8 +5,8 @@
 #include <algebra/Bernstein_form.h>
 #include <algebra/Bivariate.h>
 
+#include <corral/internal/polynomial/integer_form.h>
 #include <corral/number/Rational.h>
-#include <corral/polynomial/integer_form.h>
 #include <corral/polynomial/parse.h>
 
 #include <random>

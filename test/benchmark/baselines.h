@@ -2,7 +2,7 @@
 #ifndef CORRAL_TEST_BENCHMARK_BASELINES_H
 #define CORRAL_TEST_BENCHMARK_BASELINES_H
 
-#include <corral/localization/Subdivision.h>
+#include <corral/internal/localization/Subdivision.h>
 #include <corral/polynomial/Polynomial.h>
 
 #include <array>

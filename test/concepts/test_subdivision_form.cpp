@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include <corral/localization/Subdivision.h>
+#include <corral/internal/localization/Subdivision.h>
 
 #include <gtest/gtest.h>
 

@@ -7,11 +7,11 @@
 #include "rounds.h"
 
 #include <corral/decision/ideal_raster.h>
+#include <corral/internal/polynomial/integer_form.h>
 #include <corral/number/Mpfr_interval.h>
 #include <corral/number/Outward_interval.h>
 #include <corral/polynomial/arithmetic.h>
 #include <corral/polynomial/evaluate.h>
-#include <corral/polynomial/integer_form.h>
 #include <corral/polynomial/parse.h>
 #include <corral/polynomial/print.h>
 #include <corral/polynomial/square_free.h>

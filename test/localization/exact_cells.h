@@ -2,10 +2,10 @@
 #ifndef CORRAL_TEST_LOCALIZATION_EXACT_CELLS_H
 #define CORRAL_TEST_LOCALIZATION_EXACT_CELLS_H
 
+#include <corral/internal/polynomial/integer_form.h>
 #include <corral/localization/Raster_builder.h>
 #include <corral/polynomial/arithmetic.h>
 #include <corral/polynomial/evaluate.h>
-#include <corral/polynomial/integer_form.h>
 #include <corral/polynomial/print.h>
 #include <corral/polynomial/substitution.h>
 

@@ -2,7 +2,7 @@
 // Compiled with CORRAL_CHECK_PRECONDITIONS: what Debug builds check.
 #include <corral/bounders/all.h>
 #include <corral/errors.h>
-#include <corral/localization/Subdivision.h>
+#include <corral/internal/localization/Subdivision.h>
 #include <corral/number/all.h>
 
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 #ifndef CORRAL_ALGEBRA_INTEGER_POLYNOMIAL_H
 #define CORRAL_ALGEBRA_INTEGER_POLYNOMIAL_H
 
-#include <corral/algebra/Checkpoint.h>
 #include <corral/errors.h>
+#include <corral/internal/algebra/Checkpoint.h>
 #include <corral/number/Rational.h>
 #include <corral/number/Rational_interval.h>
 #include <corral/polynomial/Polynomial.h>

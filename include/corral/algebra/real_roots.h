@@ -2,8 +2,8 @@
 #ifndef CORRAL_ALGEBRA_REAL_ROOTS_H
 #define CORRAL_ALGEBRA_REAL_ROOTS_H
 
-#include <corral/algebra/Checkpoint.h>
 #include <corral/algebra/Integer_polynomial.h>
+#include <corral/internal/algebra/Checkpoint.h>
 
 #include <memory>
 #include <utility>

@@ -3,7 +3,7 @@
 #define CORRAL_BOUNDERS_BERNSTEIN_BOUNDER_H
 
 #include <corral/bounders/Range_bounder.h>
-#include <corral/bounders/Scaled_taylor.h>
+#include <corral/internal/bounders/Scaled_taylor.h>
 #include <corral/polynomial/Box.h>
 
 #include <array>

@@ -3,8 +3,8 @@
 #define CORRAL_BOUNDERS_CENTRED_BOUNDER_H
 
 #include <corral/bounders/Range_bounder.h>
-#include <corral/bounders/Scaled_taylor.h>
-#include <corral/bounders/centred_range.h>
+#include <corral/internal/bounders/Scaled_taylor.h>
+#include <corral/internal/bounders/centred_range.h>
 #include <corral/polynomial/Box.h>
 
 #include <cstddef>

@@ -4,8 +4,8 @@
 
 #include <corral/bounders/Bounder_options.h>
 #include <corral/bounders/Range_bounder.h>
-#include <corral/bounders/Scaled_taylor.h>
 #include <corral/errors.h>
+#include <corral/internal/bounders/Scaled_taylor.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -4,9 +4,9 @@
 
 #include <corral/Run_options.h>
 #include <corral/decision/Witness.h>
+#include <corral/internal/polynomial/integer_form.h>
 #include <corral/localization/Grid.h>
 #include <corral/polynomial/Polynomial.h>
-#include <corral/polynomial/integer_form.h>
 
 #include <array>
 #include <chrono>

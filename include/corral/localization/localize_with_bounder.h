@@ -3,9 +3,9 @@
 #define CORRAL_LOCALIZATION_LOCALIZE_WITH_BOUNDER_H
 
 #include <corral/errors.h>
-#include <corral/localization/Bounder_form.h>
+#include <corral/internal/localization/Bounder_form.h>
+#include <corral/internal/polynomial/integer_form.h>
 #include <corral/number/Counted.h>
-#include <corral/polynomial/integer_form.h>
 
 #include <algorithm>
 #include <chrono>

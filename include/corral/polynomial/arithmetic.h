@@ -3,7 +3,7 @@
 #define CORRAL_POLYNOMIAL_ARITHMETIC_H
 
 #include <corral/errors.h>
-#include <corral/polynomial/integer_form.h>
+#include <corral/internal/polynomial/integer_form.h>
 
 #include <array>
 #include <concepts>

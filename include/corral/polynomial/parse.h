@@ -2,7 +2,7 @@
 #ifndef CORRAL_POLYNOMIAL_PARSE_H
 #define CORRAL_POLYNOMIAL_PARSE_H
 
-#include <corral/polynomial/Polynomial_parser.h>
+#include <corral/internal/polynomial/Polynomial_parser.h>
 
 #include <array>
 #include <cstddef>

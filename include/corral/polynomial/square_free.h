@@ -3,7 +3,7 @@
 #define CORRAL_POLYNOMIAL_SQUARE_FREE_H
 
 #include <corral/internal/polynomial/Flat_terms.h>
-#include <corral/polynomial/integer_form.h>
+#include <corral/internal/polynomial/integer_form.h>
 
 #include <cstddef>
 

@@ -6,7 +6,7 @@
 #include "Monomial_shape.h"
 #include "Seed.h"
 
-#include <corral/localization/Subdivision.h>
+#include <corral/internal/localization/Subdivision.h>
 
 #include <array>
 #include <cstddef>

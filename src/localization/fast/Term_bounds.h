@@ -5,7 +5,7 @@
 #include "Fast_plan.h"
 #include "Term_form.h"
 
-#include <corral/localization/Subdivision.h>
+#include <corral/internal/localization/Subdivision.h>
 
 #include <array>
 #include <cstddef>

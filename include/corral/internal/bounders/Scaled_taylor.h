@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CORRAL_BOUNDERS_SCALED_TAYLOR_H
-#define CORRAL_BOUNDERS_SCALED_TAYLOR_H
+#ifndef CORRAL_INTERNAL_BOUNDERS_SCALED_TAYLOR_H
+#define CORRAL_INTERNAL_BOUNDERS_SCALED_TAYLOR_H
 
 #include <corral/bounders/Range_bounder.h>
 #include <corral/errors.h>

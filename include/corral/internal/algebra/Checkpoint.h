@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CORRAL_ALGEBRA_CHECKPOINT_H
-#define CORRAL_ALGEBRA_CHECKPOINT_H
+#ifndef CORRAL_INTERNAL_ALGEBRA_CHECKPOINT_H
+#define CORRAL_INTERNAL_ALGEBRA_CHECKPOINT_H
 
 #include <corral/Run_options.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CORRAL_BOUNDERS_CENTRED_RANGE_H
-#define CORRAL_BOUNDERS_CENTRED_RANGE_H
+#ifndef CORRAL_INTERNAL_BOUNDERS_CENTRED_RANGE_H
+#define CORRAL_INTERNAL_BOUNDERS_CENTRED_RANGE_H
 
-#include <corral/bounders/Scaled_taylor.h>
+#include <corral/internal/bounders/Scaled_taylor.h>
 #include <corral/polynomial/evaluate.h>
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CORRAL_NUMBER_WRONG_ANSWER_H
-#define CORRAL_NUMBER_WRONG_ANSWER_H
+#ifndef CORRAL_INTERNAL_NUMBER_WRONG_ANSWER_H
+#define CORRAL_INTERNAL_NUMBER_WRONG_ANSWER_H
 
 #include <stdexcept>
 

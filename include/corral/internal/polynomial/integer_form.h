@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CORRAL_POLYNOMIAL_INTEGER_FORM_H
-#define CORRAL_POLYNOMIAL_INTEGER_FORM_H
+#ifndef CORRAL_INTERNAL_POLYNOMIAL_INTEGER_FORM_H
+#define CORRAL_INTERNAL_POLYNOMIAL_INTEGER_FORM_H
 
 #include <corral/errors.h>
 #include <corral/polynomial/Polynomial.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CORRAL_POLYNOMIAL_POLYNOMIAL_PARSER_H
-#define CORRAL_POLYNOMIAL_POLYNOMIAL_PARSER_H
+#ifndef CORRAL_INTERNAL_POLYNOMIAL_POLYNOMIAL_PARSER_H
+#define CORRAL_INTERNAL_POLYNOMIAL_POLYNOMIAL_PARSER_H
 
 #include <corral/errors.h>
-#include <corral/polynomial/Polynomial_lexer.h>
-#include <corral/polynomial/Polynomial_sum.h>
+#include <corral/internal/polynomial/Polynomial_lexer.h>
+#include <corral/internal/polynomial/Polynomial_sum.h>
 #include <corral/polynomial/Rational_function.h>
 #include <corral/polynomial/arithmetic.h>
 

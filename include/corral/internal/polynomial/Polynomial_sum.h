@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CORRAL_POLYNOMIAL_POLYNOMIAL_SUM_H
-#define CORRAL_POLYNOMIAL_POLYNOMIAL_SUM_H
+#ifndef CORRAL_INTERNAL_POLYNOMIAL_POLYNOMIAL_SUM_H
+#define CORRAL_INTERNAL_POLYNOMIAL_POLYNOMIAL_SUM_H
 
 #include <corral/polynomial/arithmetic.h>
 

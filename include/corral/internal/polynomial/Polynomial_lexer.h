@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CORRAL_POLYNOMIAL_POLYNOMIAL_LEXER_H
-#define CORRAL_POLYNOMIAL_POLYNOMIAL_LEXER_H
+#ifndef CORRAL_INTERNAL_POLYNOMIAL_POLYNOMIAL_LEXER_H
+#define CORRAL_INTERNAL_POLYNOMIAL_POLYNOMIAL_LEXER_H
 
 #include <corral/errors.h>
 #include <corral/number/Rational.h>

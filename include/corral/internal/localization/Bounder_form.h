@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CORRAL_LOCALIZATION_BOUNDER_FORM_H
-#define CORRAL_LOCALIZATION_BOUNDER_FORM_H
+#ifndef CORRAL_INTERNAL_LOCALIZATION_BOUNDER_FORM_H
+#define CORRAL_INTERNAL_LOCALIZATION_BOUNDER_FORM_H
 
 #include <corral/Run_options.h>
 #include <corral/bounders/Range_bounder.h>
+#include <corral/internal/localization/Subdivision.h>
 #include <corral/localization/Raster_builder.h>
-#include <corral/localization/Subdivision.h>
 #include <corral/polynomial/evaluate.h>
 
 #include <algorithm>
