@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include <corral/localization/localize_fast.h>
+#include <corral/localization/localize.h>
 
 #include <cstdint>
 #include <iostream>
@@ -70,15 +70,14 @@ void print(Problems& problems, const std::vector<unsigned>& degrees, std::uint32
   std::vector<Polynomial<Rational, D>> system;
   for (const unsigned degree : degrees) system.push_back(problems.polynomial<D>(degree));
   const Grid<D> grid = problems.grid<D>(most);
-  const auto found = system.size() == 1 ? localize_fast<D>(system[0], grid) : localize_fast<D>(system, grid);
+  const auto found = system.size() == 1 ? localize(system[0], grid) : localize(system, grid);
   std::uint64_t hash = 14695981039346656037U; // FNV-1a of what is plotted
   const auto add = [&](std::uint64_t value) { hash = (hash ^ value) * 1099511628211U; };
-  found.cells.for_each([&](const Cell<D>& cell, Verdict verdict) {
+  for (const auto& [cell, verdict] : found) {
     for (const auto index : cell) add(index);
     add(static_cast<std::uint64_t>(verdict));
-  });
-  std::cout << D << ' ' << system.size() << ' ' << found.cells.plotted() << ' ' << found.cells.hit() << ' ' << hash
-            << '\n';
+  }
+  std::cout << D << ' ' << system.size() << ' ' << found.plotted() << ' ' << found.hit() << ' ' << hash << '\n';
 }
 
 } // namespace
