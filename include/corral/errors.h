@@ -33,7 +33,7 @@ struct Budget_exceeded : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
-/// The caller's progress callback asked to stop.
+/// The caller asked to stop a computation of which no part is worth keeping.
 struct Cancelled : std::runtime_error
 {
   using std::runtime_error::runtime_error;

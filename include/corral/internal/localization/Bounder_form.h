@@ -143,7 +143,7 @@ private:
       stopped_ = stopped_ || run_.stop.stop_requested();
       if (stopped_) return true; // nothing is known of the box
       ++counters_.bounds;
-      if (run_.progress && counters_.bounds % 16 == 0) tell_if_slow();
+      if (run_.progress) tell_if_slow();
       return contains_zero(bounder.bound(box));
     });
   }
