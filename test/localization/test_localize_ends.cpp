@@ -109,7 +109,7 @@ TEST(Localize_ends, where_values_lie_beyond_doubles)
   EXPECT_EQ(found.verdict({0, 0}), Verdict::empty);
 }
 
-/// How often a run asks whether to go on; and that it stops when told to, at any time.
+/// That a run asks whether to go on, and stops iff it is told to, at any time. How often it asks depends on the clock.
 template <std::size_t D>
 void expect_obedience(const std::vector<Polynomial<Rational, D>>& system, const Grid<D>& grid)
 {

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -132,9 +133,12 @@ private:
 
   static bool is_in_order(const std::vector<Block>& blocks)
   {
-    return std::adjacent_find(blocks.begin(), blocks.end(),
-                              [](const Block& a, const Block& b) { return a.index >= b.index; })
-           == blocks.end();
+    const auto precedes = [](const Block& a, const Block& b) { // std::array compares more slowly
+      std::size_t axis = 0;
+      while (axis + 1 < D && a.index[axis] == b.index[axis]) ++axis;
+      return a.index[axis] < b.index[axis];
+    };
+    return std::adjacent_find(blocks.begin(), blocks.end(), std::not_fn(precedes)) == blocks.end();
   }
 
   /// Sorts the blocks and joins those of the same cells: a cell that is a hit in one of them is a hit.

@@ -29,14 +29,14 @@ void refuse_zero(const Polynomial<Rational, D>& f)
 template <std::size_t D>
 bool is_doubtful(const std::vector<Cell_block<D>>& blocks)
 {
-  constexpr std::size_t most_looks = 64;
+  constexpr std::size_t most_looks = 32;
   int plotted = 0;
-  int hit = 0;
+  int open = 0;
   for (std::size_t k = 0; k < blocks.size(); k += 1 + blocks.size() / most_looks) {
     plotted += std::popcount(blocks[k].plotted);
-    hit += std::popcount(blocks[k].hit);
+    if (const auto rest = blocks[k].plotted & ~blocks[k].hit; rest != 0) open += std::popcount(rest);
   }
-  return 8 * hit < 7 * plotted;
+  return 8 * open > plotted;
 }
 
 /// The raster of what was found, with the time since the start.
