@@ -4,7 +4,6 @@
 #include "../algebra/Bivariate.h"
 #include "../algebra/restriction.h"
 
-#include <corral/errors.h>
 #include <corral/number/Double_bracket.h>
 
 #include <algorithm>
@@ -175,7 +174,6 @@ Side_zeros isolate_by_integers(const Integer_polynomial& p, const Segment& side,
   std::erase_if(
       roots, [&](const Real_root& root) { return root.is_point() && (root.lower() == low || root.lower() == high); });
   Side_zeros result;
-  Rational before = low;
   for (std::size_t k = 0; k < roots.size(); ++k) {
     roots[k].refine_to(Rational(width));
     const auto below = bracket(roots[k].lower()).below;
@@ -199,9 +197,8 @@ Side_zeros isolate_by_integers(const Integer_polynomial& p, const Segment& side,
   }
   for (std::size_t k = 0; k + 1 < result.zeros.size(); ++k)
     if (result.zeros[k].high > result.zeros[k + 1].low) {
-      if (width < 0x1p-70) // they are apart, but no doubles lie between them
-        throw Budget_exceeded("mesh_curve: two branches are closer than 2^-52 of the box; expected a smaller box");
-      return isolate_by_integers(p, side, width / 1024);
+      if (width >= 0x1p-70) return isolate_by_integers(p, side, width / 1024);
+      result.are_apart = false; // no doubles lie between them
     }
   return result;
 }

@@ -72,8 +72,10 @@ Json graph(const Curve_mesh& mesh)
                         {"box", sides(vertex.box)}});
   Json components = Json::array();
   for (const auto& component : mesh.components) {
-    components.push_back(
-        {{"closed", component.is_closed}, {"vertices", component.vertices}, {"edges", component.edges}});
+    components.push_back({{"closed", component.is_closed},
+                          {"vertices", component.vertices},
+                          {"edges", component.edges},
+                          {"parent", component.parent ? Json(*component.parent) : Json()}});
   }
   return {{"vertices", std::move(vertices)}, {"edges", mesh.edges}, {"components", std::move(components)}};
 }

@@ -27,8 +27,7 @@ struct Mesh_options
 /// touch the box or pass through its corners. Cells are cut by doubles with proved bounds; singular points are found
 /// exactly. Proof: doc/geometry.md.
 /// \throw Invalid_input if f is zero, a side of the box is a point or the tolerance is not positive; Budget_exceeded if
-///      factors do not fit in memory, two branches on a side of a cell are closer than 2^-52 of the box, or each of the
-///      six choices of first cuts meets a special point; whatever `options.checkpoint` throws.
+///      factors do not fit in memory; whatever `options.checkpoint` throws.
 /// \par Complexity  A few bounds of n^2 coefficients for each cell, in degree n; cells as many as the tolerance wants,
 ///      and some dozens around each singular point. The resultant of f and a derivative if a singular point is not
 ///      a simple rational one.
