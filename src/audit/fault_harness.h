@@ -2,8 +2,9 @@
 #ifndef CORRAL_AUDIT_FAULT_HARNESS_H
 #define CORRAL_AUDIT_FAULT_HARNESS_H
 
-#include "seed_faults.h"
+#include "Fault_finding.h"
 
+#include <corral/audit/Audit_options.h>
 #include <corral/number/Rational_interval.h>
 #include <corral/polynomial/Box.h>
 #include <corral/polynomial/Polynomial.h>

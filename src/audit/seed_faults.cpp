@@ -3,18 +3,10 @@
 
 #include "fault_harness.h"
 
-#include <corral/audit/audit_bounder.h>
-
 #include <utility>
 
 namespace corral::audit {
 namespace {
-
-/// The exact coefficients behind point intervals.
-Exact_polynomial without_intervals(const Polynomial<Rational_interval, 2>& f)
-{
-  return transform<Rational>(f, [](const Rational_interval& c) { return c.lower(); });
-}
 
 std::vector<Fault_finding> look_for_all(std::vector<Fault_finding> findings,
                                         const std::vector<std::vector<Planted_bounder>>& lists,
@@ -26,16 +18,6 @@ std::vector<Fault_finding> look_for_all(std::vector<Fault_finding> findings,
 }
 
 } // namespace
-
-Fault_finding look_for(const Planted_bounder& bounder, const Audit_options& options)
-{
-  Audit_options until_first = options;
-  until_first.stop_at_first = true;
-  const auto audit = audit_bounder<Rational_interval, 2>(
-      [&](const Polynomial<Rational_interval, 2>& f) { return bounder.make(without_intervals(f)); }, until_first);
-  const bool caught = audit.first_escape.has_value();
-  return {bounder.name, bounder.description, caught ? "bounder audit" : "", audit.cases, caught};
-}
 
 std::vector<Fault_finding> seed_faults(const Audit_options& options)
 {

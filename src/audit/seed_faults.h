@@ -2,26 +2,16 @@
 #ifndef CORRAL_AUDIT_SEED_FAULTS_H
 #define CORRAL_AUDIT_SEED_FAULTS_H
 
+#include "Fault_finding.h"
+
 #include <corral/audit/Audit_options.h>
 
-#include <cstdint>
-#include <string>
 #include <vector>
 
 /// \file
 /// The audit of the audit: copies of number types and bounders with one planted fault each. The library itself carries
 /// no switch for any of them.
 namespace corral::audit {
-
-/// What became of one planted fault.
-struct Fault_finding
-{
-  std::string fault;       ///< its name
-  std::string description; ///< what is wrong, in one line
-  std::string caught_by;   ///< which audit found it, and where; empty if none did
-  std::uint64_t cases = 0; ///< how many cases that audit took, the one that showed the fault included; all if none did
-  bool caught = false;
-};
 
 /// \brief Plants every fault in turn and lets the audits of numbers and of bounders look for it.
 /// \param options  `seed`, and how many `cases` to try before a fault counts as not found.

@@ -3,6 +3,7 @@ target_sources(corral PRIVATE audit/audit_cases.cpp audit/case_polynomials.cpp)
 # Planted faults, for the program's report and the tests; no part of the library.
 add_library(corral_faults STATIC EXCLUDE_FROM_ALL
   audit/expansion_faults.cpp
+  audit/fault_harness.cpp
   audit/method_faults.cpp
   audit/number_faults.cpp
   audit/seed_faults.cpp

@@ -2,7 +2,7 @@
 #ifndef CORRAL_CHECKER_MULTIPLIERS_H
 #define CORRAL_CHECKER_MULTIPLIERS_H
 
-#include "certificate.h"
+#include "contents.h"
 
 namespace corral_check {
 

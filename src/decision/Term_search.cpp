@@ -72,7 +72,7 @@ Rational_point<D> centre(const Rational_box<D>& box)
 template <std::size_t D>
 Term_search<D>::Term_search(const Polynomial<Integer, D>& f)
     : value_(over_intervals(f)), slopes_(slopes_of(f, std::make_index_sequence<D>())),
-      most_boxes_(std::clamp<std::size_t>(dense_count(f) / (8 * f.terms().size()), 1, 1024))
+      most_boxes_(std::clamp<std::size_t>(dense_count(f) / (8 * f.terms().size()), 1, 256))
 {}
 
 /// A part of the box on which sign * f has its least value: where a partial derivative has one sign, zeros allowed, one

@@ -4,7 +4,7 @@
 
 #include "to_exponent.h"
 
-#include <corral/polynomial/square_free.h>
+#include <corral/internal/polynomial/Flat_terms.h>
 
 #include <flint/fmpz_mpoly.h>
 

@@ -28,11 +28,11 @@ macro(complain text)
   math(EXPR violations "${violations} + 1")
 endmacro()
 
-# folder_of(<result> <path>): its first folder, or a dot.
+# folder_of(<result> <path>): its first folder, or a dot; within internal/, where the floors are again, the second.
 function(folder_of result path)
   set(folder .)
-  if(path MATCHES "^([^/]+)/")
-    set(folder ${CMAKE_MATCH_1})
+  if(path MATCHES "^(internal/)?([^/]+)/")
+    set(folder ${CMAKE_MATCH_2})
   endif()
   set(${result} ${folder} PARENT_SCOPE)
 endfunction()
