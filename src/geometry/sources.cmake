@@ -12,4 +12,5 @@ target_sources(corral PRIVATE
   geometry/isolated_points.cpp
   geometry/mesh_curve.cpp
   geometry/nesting.cpp
+  geometry/polylines.cpp
   geometry/solve.cpp)

@@ -16,7 +16,7 @@ namespace corral {
 struct Curve_vertex
 {
   Rational_point<2> point; ///< where the mesh has it
-  Rational_box<2> box;     ///< holds the zero that the vertex stands for, and no other one on the cut or side it lies on
+  Rational_box<2> box; ///< holds the zero that the vertex stands for, and no other one on the cut or side it lies on
   bool is_singular = false;
   bool is_on_boundary = false; ///< of the box that was meshed
   std::size_t branches = 0;    ///< edges that end here
@@ -29,7 +29,7 @@ struct Curve_component
   std::size_t first_vertex = 0;
   std::size_t vertices = 0;
   std::size_t edges = 0;
-  bool is_closed = true;               ///< does not meet the boundary of the box
+  bool is_closed = true; ///< does not meet the boundary of the box
   /// The component of which it lies in a bounded face, the innermost; none if it lies in no such face.
   std::optional<std::size_t> parent{};
   [[nodiscard]] bool is_point() const { return edges == 0; }

@@ -27,8 +27,8 @@ struct Plane_zeros
 /// one is replaced by a greatest common divisor over the root's field. Proof: doc/geometry.md.
 /// \throw Invalid_input if one of the polynomials is zero; Budget_exceeded if a common divisor does not fit in memory;
 ///      whatever `checkpoint` throws.
-/// \par Complexity  For degrees n and m one resultant of degree n m modulo a few primes, and the isolation of its roots.
-/// \par Reference  Collins 1971; Gonzalez-Vega and El Kahoui 1996 (curves in generic position).
+/// \par Complexity  For degrees n and m one resultant of degree n m modulo a few primes, and the isolation of its
+/// roots. \par Reference  Collins 1971; Gonzalez-Vega and El Kahoui 1996 (curves in generic position).
 [[nodiscard]] Plane_zeros solve(const Polynomial<Rational, 2>& f, const Polynomial<Rational, 2>& g,
                                 const std::optional<Rational_box<2>>& box = std::nullopt,
                                 const Checkpoint& checkpoint = {});
@@ -59,8 +59,8 @@ struct Singular_point
                                                            const std::optional<Rational_box<2>>& box = std::nullopt,
                                                            const Checkpoint& checkpoint = {});
 
-/// \brief The smooth points of the curve f = 0 whose tangent is parallel to an axis (0: horizontal, 1: vertical), of the
-/// square-free part of f. Lines parallel to the axis are left out. \throw as `solve`.
+/// \brief The smooth points of the curve f = 0 whose tangent is parallel to an axis (0: horizontal, 1: vertical), of
+/// the square-free part of f. Lines parallel to the axis are left out. \throw as `solve`.
 [[nodiscard]] std::vector<Algebraic_point> tangent_points(const Polynomial<Rational, 2>& f, std::size_t axis,
                                                           const std::optional<Rational_box<2>>& box = std::nullopt,
                                                           const Checkpoint& checkpoint = {});
