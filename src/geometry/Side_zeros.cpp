@@ -37,19 +37,20 @@ int count(const Part& part)
 {
   int sign = part.ends[0];
   int variations = 0;
-  bool doubtful = false; // a coefficient without certain sign since the last one with
+  int doubtful = 0; // coefficients without certain sign since the last one with
   const std::size_t n = part.b.size() - 1;
   for (std::size_t i = 1; i <= n; ++i) {
     const int next = i == n ? part.ends[1] : certain_sign(part.b[i], part.error);
     if (next == 0) {
-      if (i == n && doubtful) return -1;
-      doubtful = doubtful || i < n;
+      if (i == n && doubtful > 0) return -1;
+      doubtful += i < n ? 1 : 0;
       continue;
     }
-    if (doubtful && next != -sign) return -1;
+    // One between opposite signs makes no difference; two may be a change back and forth.
+    if (doubtful > 1 || (doubtful == 1 && next != -sign)) return -1;
     if (next == -sign) ++variations;
     sign = next;
-    doubtful = false;
+    doubtful = 0;
   }
   return variations <= 1 && sign != 0 ? variations : -1;
 }
