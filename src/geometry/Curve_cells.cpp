@@ -14,6 +14,11 @@ constexpr double large = 0x1p-5;  // cells so few that precision, which all othe
 constexpr const char* stopped = "stopped on request";
 constexpr double least_length = 0x1p-40; // of a cell in the unit box: its corners are doubles
 
+/// Two zeros on a side have no double between them.
+struct Close_branches
+{
+};
+
 struct Event
 {
   Range where;
@@ -64,16 +69,27 @@ Outline Curve_cells::trace(Cell cell)
     };
     cell.form = Cell_form(f_, {side(0), side(1)});
   }
+  const std::size_t nodes = graph_.size();
+  const std::size_t edges = graph_.edges().size();
   Outline outline;
   Shape shape = Shape::unclear;
   try {
     shape = resolve(cell, outline);
   } catch (const Cancelled&) { // by the search of singular points
     return give_up(cell, stopped);
+  } catch (const Close_branches&) {
+    graph_.roll_back(nodes, edges);
+    if (is_small(cell)) return give_up(cell, "two branches are closer than 2^-52 of the box");
   }
   if (shape == Shape::done) return outline;
   if (cells_ > settings_.run.cell_budget.value_or(most_cells))
     return give_up(cell, "more cells than the budget allows");
+  return cut(std::move(cell), shape);
+}
+
+/// Traces the halves of a cell.
+Outline Curve_cells::cut(Cell cell, Shape shape)
+{
   const double scale0 = shape == Shape::coarse ? settings_.size[0] : 1;
   const double scale1 = shape == Shape::coarse ? settings_.size[1] : 1;
   const std::size_t axis = cell.length(0) * scale0 >= cell.length(1) * scale1 ? 0 : 1;
@@ -139,8 +155,17 @@ Border Curve_cells::border(const Cell& cell, double precision)
         box[1 - normal] = zero;
         result.inside[normal][end].push_back(graph_.add({box}));
       }
+      result.is_clear = result.is_clear && zeros->are_apart;
       result.zeros[normal][end] = std::move(*zeros);
     }
+  return result;
+}
+
+/// The border of a cell that is to be understood. \throw Close_branches if two zeros on it share a double.
+Border Curve_cells::clear_border(const Cell& cell, double precision)
+{
+  Border result = border(cell, precision);
+  if (!result.is_clear) throw Close_branches{};
   return result;
 }
 
@@ -188,7 +213,7 @@ Curve_cells::Shape Curve_cells::resolve_graph(const Cell& cell, std::size_t axis
   const std::size_t nodes = graph_.size();
   const std::size_t edges = graph_.edges().size();
   for (const double precision : {coarse, fine}) {
-    const Border found = border(cell, precision);
+    const Border found = clear_border(cell, precision);
     if (connect_graph(found, axis)) {
       outline = found.outline();
       return Shape::done;

@@ -42,6 +42,7 @@ struct Border
   std::array<std::array<Side_zeros, 2>, 2> zeros;                  ///< [normal axis][lower or upper], without corners
   std::array<std::array<std::vector<std::size_t>, 2>, 2> inside;   ///< the vertices of these
   std::array<std::array<std::optional<std::size_t>, 2>, 2> corner; ///< [upper x][upper y]
+  bool is_clear = true;                                            ///< no two zeros share a double
 
   [[nodiscard]] Outline outline() const;
 };
@@ -86,6 +87,7 @@ private:
   enum class Shape { unclear, coarse, done }; ///< coarse: understood, but larger than the tolerance wants
 
   [[nodiscard]] Outline trace(Cell cell);
+  [[nodiscard]] Outline cut(Cell cell, Shape shape);
   [[nodiscard]] Outline give_up(const Cell& cell, const std::string& reason);
   [[nodiscard]] Shape resolve(Cell& cell, Outline& outline);
   [[nodiscard]] Shape resolve_graph(const Cell& cell, std::size_t axis, Outline& outline);
@@ -101,6 +103,7 @@ private:
   [[nodiscard]] bool connect_slanted(const Border& border, const Cell& cell, const std::array<double, 2>& v,
                                      double span);
   [[nodiscard]] Border border(const Cell& cell, double precision);
+  [[nodiscard]] Border clear_border(const Cell& cell, double precision);
   [[nodiscard]] bool is_surely_bent(const Cell& cell, std::size_t axis) const;
   [[nodiscard]] bool is_flat(const Cell& cell, std::size_t axis) const;
   [[nodiscard]] double flat_span(const Cell& cell, const std::array<double, 2>& v) const;

@@ -85,7 +85,7 @@ Curve_cells::Shape Curve_cells::resolve_slanted(const Cell& cell, const std::arr
   const std::size_t nodes = graph_.size();
   const std::size_t edges = graph_.edges().size();
   for (const double precision : {coarse, fine}) {
-    const Border found = border(cell, precision);
+    const Border found = clear_border(cell, precision);
     if (connect_slanted(found, cell, v, span)) {
       outline = found.outline();
       return Shape::done;

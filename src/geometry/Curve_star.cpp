@@ -277,7 +277,7 @@ bool Curve_cells::finish_star(const Cell& cell, std::size_t point, const Directi
   const auto box = singular_.points()[point].unit_box;
   const std::array<Interval, 2> at{in_cell(box[0], cell.box[0]), in_cell(box[1], cell.box[1])};
   for (const double precision : fine) {
-    const Border found = border(cell, precision);
+    const Border found = clear_border(cell, precision);
     const auto centre = vertex_at(graph_, found, cell, box);
     outline = found.outline();
     if (centre && !has_other_corner(graph_, found, *centre)
@@ -318,7 +318,7 @@ Curve_cells::Shape Curve_cells::resolve_stack(const Cell& cell, Outline& outline
   const std::size_t edges = graph_.edges().size();
   const Direction direction = critical_direction(cell);
   for (const double precision : fine) {
-    const Border found = border(cell, precision);
+    const Border found = clear_border(cell, precision);
     if (!has_other_corner(graph_, found, graph_.size())
         && connect_stack(graph_, found, direction,
                          Entrance(cell, graph_, direction, &slopes(), {Interval(0), Interval(0)}))) {

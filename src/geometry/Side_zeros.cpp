@@ -4,7 +4,6 @@
 #include "../algebra/Bivariate.h"
 #include "../algebra/restriction.h"
 
-#include <corral/errors.h>
 #include <corral/number/Double_bracket.h>
 
 #include <algorithm>
@@ -38,19 +37,20 @@ int count(const Part& part)
 {
   int sign = part.ends[0];
   int variations = 0;
-  bool doubtful = false; // a coefficient without certain sign since the last one with
+  int doubtful = 0; // coefficients without certain sign since the last one with
   const std::size_t n = part.b.size() - 1;
   for (std::size_t i = 1; i <= n; ++i) {
     const int next = i == n ? part.ends[1] : certain_sign(part.b[i], part.error);
     if (next == 0) {
-      if (i == n && doubtful) return -1;
-      doubtful = doubtful || i < n;
+      if (i == n && doubtful > 0) return -1;
+      doubtful += i < n ? 1 : 0;
       continue;
     }
-    if (doubtful && next != -sign) return -1;
+    // One between opposite signs makes no difference; two may be a change back and forth.
+    if (doubtful > 1 || (doubtful == 1 && next != -sign)) return -1;
     if (next == -sign) ++variations;
     sign = next;
-    doubtful = false;
+    doubtful = 0;
   }
   return variations <= 1 && sign != 0 ? variations : -1;
 }
@@ -175,7 +175,6 @@ Side_zeros isolate_by_integers(const Integer_polynomial& p, const Segment& side,
   std::erase_if(
       roots, [&](const Real_root& root) { return root.is_point() && (root.lower() == low || root.lower() == high); });
   Side_zeros result;
-  Rational before = low;
   for (std::size_t k = 0; k < roots.size(); ++k) {
     roots[k].refine_to(Rational(width));
     const auto below = bracket(roots[k].lower()).below;
@@ -199,9 +198,8 @@ Side_zeros isolate_by_integers(const Integer_polynomial& p, const Segment& side,
   }
   for (std::size_t k = 0; k + 1 < result.zeros.size(); ++k)
     if (result.zeros[k].high > result.zeros[k + 1].low) {
-      if (width < 0x1p-70) // they are apart, but no doubles lie between them
-        throw Budget_exceeded("mesh_curve: two branches are closer than 2^-52 of the box; expected a smaller box");
-      return isolate_by_integers(p, side, width / 1024);
+      if (width >= 0x1p-70) return isolate_by_integers(p, side, width / 1024);
+      result.are_apart = false; // no doubles lie between them
     }
   return result;
 }

@@ -25,6 +25,8 @@ struct Side_zeros
   std::vector<Range> zeros;
   /// The signs before, between and after the zeros: one more.
   std::vector<int> signs;
+  /// False if two intervals overlap, because no double lies between two zeros. They are in order nevertheless.
+  bool are_apart = true;
 };
 
 /// \brief The zeros by doubles; nothing if these cannot tell.
@@ -35,7 +37,7 @@ struct Side_zeros
                                                 const std::array<int, 2>& ends, const Segment& side, double width);
 
 /// \brief The same from the exact polynomial on the side: by doubles again, else by integers.
-/// \throw Not_generic if the polynomial vanishes on the whole side; Budget_exceeded if doubles cannot tell two apart.
+/// \throw Not_generic if the polynomial vanishes on the whole side.
 [[nodiscard]] Side_zeros isolate_exactly(const Polynomial<Integer, 2>& f, const std::array<int, 2>& ends,
                                          const Segment& side, double width);
 

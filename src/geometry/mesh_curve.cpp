@@ -3,6 +3,7 @@
 
 #include "Curve_cells.h"
 #include "components.h"
+#include "nesting.h"
 
 #include "../algebra/restriction.h"
 
@@ -166,6 +167,19 @@ private:
   Curve_mesh mesh_;
 };
 
+/// False if each choice of first cuts meets what it should not.
+bool run(Curve_cells& curve)
+{
+  for (const auto& cuts : first_cuts) {
+    try {
+      curve.run(cuts);
+      return true;
+    } catch (const Not_generic&) {
+    }
+  }
+  return false;
+}
+
 } // namespace
 
 Curve_mesh mesh_curve(const Polynomial<Rational, 2>& f, const Rational_box<2>& box, const Rational& tolerance,
@@ -187,13 +201,11 @@ Curve_mesh mesh_curve(const Polynomial<Rational, 2>& f, const Rational_box<2>& b
   if (!parts.rest.is_constant()) {
     const auto on_unit = on_unit_box(parts.rest, box);
     Curve_cells curve(on_unit, singular, settings);
-    for (std::size_t attempt = 0;; ++attempt) {
-      try {
-        curve.run(first_cuts[attempt]);
-        break;
-      } catch (const Not_generic&) {
-        if (attempt + 1 == first_cuts.size()) throw Budget_exceeded("mesh_curve: no choice of cuts is generic");
-      }
+    if (!run(curve)) {
+      Curve_mesh nothing;
+      nothing.box = box;
+      nothing.uncertified.push_back({box, "each choice of first cuts meets a special point of the curve"});
+      return nothing;
     }
     graph = curve.take_graph();
     outline = curve.outline();
@@ -216,6 +228,7 @@ Curve_mesh mesh_curve(const Polynomial<Rational, 2>& f, const Rational_box<2>& b
     mesh.uncertified.push_back({region, doubt.reason});
   }
   find_components(mesh);
+  find_nesting(mesh);
   return mesh;
 }
 

@@ -9,5 +9,8 @@ target_sources(corral PRIVATE
   geometry/Side_zeros.cpp
   geometry/Singular_points.cpp
   geometry/components.cpp
+  geometry/isolated_points.cpp
   geometry/mesh_curve.cpp
+  geometry/nesting.cpp
+  geometry/polylines.cpp
   geometry/solve.cpp)

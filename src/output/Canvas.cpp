@@ -65,6 +65,13 @@ Canvas::Canvas(std::ostream& out, Kind kind, int width, int height)
   cairo_select_font_face(context(), "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
 }
 
+double Canvas::width(const std::string& what) const
+{
+  cairo_text_extents_t size;
+  cairo_text_extents(context(), what.c_str(), &size);
+  return size.x_advance;
+}
+
 double Canvas::text(const std::string& what, double x, double y, double anchor_x, double anchor_y) const
 {
   cairo_font_extents_t font;

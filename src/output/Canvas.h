@@ -32,6 +32,8 @@ public:
   [[nodiscard]] cairo_t* context() const { return context_.get(); }
   void set(const Colour& colour) const { cairo_set_source_rgb(context(), colour.red, colour.green, colour.blue); }
 
+  /// How far `text` would advance.
+  [[nodiscard]] double width(const std::string& what) const;
   /// Text whose anchor (0 left or top, 1 right or bottom) lies at the given point; returns its width.
   double text(const std::string& what, double x, double y, double anchor_x, double anchor_y) const;
 

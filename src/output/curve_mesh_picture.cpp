@@ -4,6 +4,7 @@
 #include "Curve_frame.h"
 
 #include <array>
+#include <cmath>
 #include <numbers>
 
 namespace corral {
@@ -81,20 +82,33 @@ void draw_points(const Canvas& canvas, const View& view, const Curve_mesh& mesh,
   }
 }
 
+constexpr double row = 1.4; // of the legend, in heights of the font
+
+/// The beginning of a name that is no wider than `width`.
+std::string shortened(const Canvas& canvas, std::string name, double width)
+{
+  if (canvas.width(name) <= width) return name;
+  const auto is_inside_letter = [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U; };
+  while (!name.empty() && canvas.width(name + "...") > width) {
+    while (is_inside_letter(name.back())) name.pop_back();
+    name.pop_back();
+  }
+  return name + "...";
+}
+
+/// A legend above the frame, a row for each curve.
 void draw_names(const Canvas& canvas, const Curve_frame& frame, const std::vector<Named_mesh>& meshes)
 {
-  constexpr std::size_t longest = 28;
-  double x = frame.left;
-  const double y = frame.top - 0.9 * frame.font;
-  for (std::size_t k = 0; k < meshes.size(); ++k) {
-    const std::string& name = meshes[k].name;
+  const double mark = 1.2 * frame.font;
+  const double space = 0.4 * frame.font;
+  double y = frame.top - (0.9 + row * static_cast<double>(meshes.size() - 1)) * frame.font;
+  for (std::size_t k = 0; k < meshes.size(); ++k, y += row * frame.font) {
     canvas.set(curve_colours[k % curve_colours.size()]);
-    cairo_move_to(canvas.context(), x, y);
-    cairo_line_to(canvas.context(), x + 1.2 * frame.font, y);
+    cairo_move_to(canvas.context(), frame.left, y);
+    cairo_line_to(canvas.context(), frame.left + mark, y);
     cairo_stroke(canvas.context());
     canvas.set({0, 0, 0});
-    x += 1.6 * frame.font;
-    x += canvas.text(name.size() > longest ? name.substr(0, longest) + "..." : name, x, y, 0, 0.5) + 1.5 * frame.font;
+    canvas.text(shortened(canvas, meshes[k].name, frame.frame[0] - mark - space), frame.left + mark + space, y, 0, 0.5);
   }
 }
 
@@ -102,7 +116,8 @@ void draw_meshes(std::ostream& out, Canvas::Kind kind, const std::vector<Named_m
                  const Output_options& options)
 {
   require_drawable(options);
-  const Curve_frame frame(meshes.front().mesh.box, {1, 1}, options.size);
+  Curve_frame frame(meshes.front().mesh.box, {1, 1}, options.size);
+  frame.top += std::ceil(row * static_cast<double>(meshes.size() - 1) * frame.font);
   const View view(frame);
   Canvas canvas(out, kind, frame.width(), frame.height());
   cairo_t* const context = canvas.context();

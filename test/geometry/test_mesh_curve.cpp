@@ -7,7 +7,10 @@
 #include <corral/polynomial/arithmetic.h>
 
 #include <algorithm>
+#include <numeric>
+#include <optional>
 #include <ostream>
+#include <vector>
 
 namespace corral {
 namespace {
@@ -163,6 +166,54 @@ TEST(mesh_curve, keeps_what_is_certified_when_stopped)
                   || std::any_of(mesh.uncertified.begin(), mesh.uncertified.end(), may_hold));
     }
   }
+}
+
+TEST(mesh_curve, leaves_branches_closer_than_doubles_uncertain)
+{
+  const auto close = curve("(x^2 + y^2 - 1)*(x^2 + y^2 - 1 - 1/1000000000000000000000)");
+  Run_options run;
+  run.cell_budget = 20000;
+  const auto mesh = mesh_curve(close, box(-2, 2, -2, 2), Rational(1, 10), run);
+  EXPECT_FALSE(mesh.is_certified());
+  const auto whole = mesh_curve(curve("(x^2 + y^2 - 1)*(x - 7)"), box(-2, 2, -2, 2), Rational(1, 10), run);
+  EXPECT_TRUE(whole.is_certified());
+}
+
+/// The parents of the components, from left to right, as numbers in that order; -1 for none.
+std::vector<int> parents(const Curve_mesh& mesh)
+{
+  std::vector<std::size_t> order(mesh.components.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto left = [&](std::size_t component) {
+    std::optional<Rational> least;
+    for (const auto& vertex : mesh.vertices)
+      if (vertex.component == component && (!least || vertex.point[0] < *least)) least = vertex.point[0];
+    return *least;
+  };
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return left(a) < left(b); });
+  std::vector<int> result;
+  for (const std::size_t component : order) {
+    const auto parent = mesh.components[component].parent;
+    result.push_back(parent ? static_cast<int>(std::find(order.begin(), order.end(), *parent) - order.begin()) : -1);
+  }
+  return result;
+}
+
+TEST(mesh_curve, tells_what_lies_inside_what)
+{
+  const auto nested = [](const char* text, int side) {
+    const auto mesh = mesh_curve(curve(text), box(-side, side, -side, side), {Rational(1, 20)});
+    EXPECT_TRUE(mesh.is_certified()) << text;
+    return parents(mesh);
+  };
+  EXPECT_EQ(nested("(x^2+y^2-1)*(x^2+y^2-4)*(x^2+y^2-9)", 4), (std::vector{-1, 0, 1}));
+  EXPECT_EQ(nested("((x+2)^2+y^2-1)*((x-2)^2+y^2-1)*(x^2+y^2-16)", 5), (std::vector{-1, 0, 0}));
+  EXPECT_EQ(nested("((x+1)^2+y^2-4)*((x-1)^2+y^2-4)*(16*x^2+16*y^2-1)*((x-2)^2+y^2)", 5), (std::vector{-1, 0, 0}));
+  EXPECT_EQ(nested("(y^2 - x^2*(x + 1))*((2*x+1)^2+4*y^2-1/100)*((x-3)^2+(y-7)^2-1/100)", 8),
+            (std::vector{-1, 0, -1})); // in the loop of a curve that leaves the box, and beside it
+  EXPECT_EQ(nested("x^2+y^2-1", 2), (std::vector{-1}));
+  EXPECT_EQ(nested("(x^4+y^4-16)*(x^2+y^2)*((x-1)^2+(y-1/2)^2-1/16)*((x-1)^2+(y-1/2)^2)", 3),
+            (std::vector{-1, 0, 0, 2}));
 }
 
 TEST(mesh_curve, refuses_what_it_cannot_mesh)

@@ -113,6 +113,18 @@ TEST(singular_points, are_found_with_their_order)
   EXPECT_EQ(find("(x + 3*y)*(x - y)").size(), 1U); // a line along the first direction tried
 }
 
+TEST(isolated_points, have_no_branches)
+{
+  const auto acnode = isolated_points(curve("y^2 + x^2*(1 - x)"));
+  ASSERT_EQ(acnode.size(), 1U);
+  EXPECT_EQ(acnode[0].rational(), (Rational_point<2>{0, 0}));
+  EXPECT_EQ(isolated_points(curve("y^2 - x^2*(x + 1)")).size(), 0U);
+  EXPECT_EQ(isolated_points(curve("(x^2 - 2)^2 + (y^2 - 3)^2")).size(), 4U);
+  EXPECT_EQ(isolated_points(curve("(x^2 - 2)^2 + (y^2 - 3)^2"), box(0, 2, -2, 2)).size(), 2U);
+  EXPECT_EQ(isolated_points(curve("((x^2 - 2)^2 + (y^2 - 3)^2)*(x*y - 1)*(x - y)")).size(), 4U);
+  EXPECT_EQ(isolated_points(curve("(x^2 - 2)^2 + (y - 1)^2*(x^2 - y)")).size(), 0U + 2U);
+}
+
 TEST(tangent_points, are_smooth)
 {
   const auto circle = curve("x^2 + y^2 - 2");

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,8 @@ struct Curve_component
   std::size_t vertices = 0;
   std::size_t edges = 0;
   bool is_closed = true; ///< does not meet the boundary of the box
+  /// The component of which it lies in a bounded face, the innermost; none if it lies in no such face.
+  std::optional<std::size_t> parent{};
   [[nodiscard]] bool is_point() const { return edges == 0; }
 };
 

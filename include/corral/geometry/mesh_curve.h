@@ -16,10 +16,9 @@ namespace corral {
 /// exactly. Proof: doc/geometry.md. What is not certain when it is stopped, or when `run.cell_budget` cells (2^21 by
 /// default) were looked at, stays uncertified. It works in one thread.
 /// \param tolerance  the Hausdorff distance between the curve and the mesh, both ways, in the units of the box.
-/// Positive. \throw Invalid_input if f is zero, a side of the box is a point or the tolerance is not positive;
-/// Budget_exceeded if
-///      factors do not fit in memory, two branches on a side of a cell are closer than 2^-52 of the box, or each of the
-///      six choices of first cuts meets a special point.
+/// Positive.
+/// \throw Invalid_input if f is zero, a side of the box is a point or the tolerance is not positive; Budget_exceeded if
+///      factors do not fit in memory.
 /// \par Complexity  A few bounds of n^2 coefficients for each cell, in degree n; cells as many as the tolerance wants,
 ///      and some dozens around each singular point. The resultant of f and a derivative if a singular point is not
 ///      a simple rational one.

@@ -51,6 +51,13 @@ struct Singular_point
                                                           const std::optional<Rational_box<2>>& box = std::nullopt,
                                                           const Run_options& run = {});
 
+/// \brief The points of the curve f = 0 that are alone in a neighbourhood.
+/// \throw as `solve`, and Budget_exceeded if a mesh of the curve leaves uncertain which they are.
+/// \par Complexity  `singular_points`, and a coarse mesh of the curve around them.
+[[nodiscard]] std::vector<Algebraic_point> isolated_points(const Polynomial<Rational, 2>& f,
+                                                           const std::optional<Rational_box<2>>& box = std::nullopt,
+                                                           const Run_options& run = {});
+
 /// \brief The smooth points of the curve f = 0 whose tangent is parallel to an axis (0: horizontal, 1: vertical), of
 /// the square-free part of f. Lines parallel to the axis are left out. \throw as `solve`.
 [[nodiscard]] std::vector<Algebraic_point> tangent_points(const Polynomial<Rational, 2>& f, std::size_t axis,

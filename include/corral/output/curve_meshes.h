@@ -2,7 +2,7 @@
 #ifndef CORRAL_OUTPUT_CURVE_MESHES_H
 #define CORRAL_OUTPUT_CURVE_MESHES_H
 
-#include <corral/geometry/Curve_mesh.h>
+#include <corral/geometry/polylines.h>
 #include <corral/output/Output_options.h>
 
 #include <filesystem>
@@ -20,11 +20,6 @@ struct Named_mesh
   std::string name;
   Curve_mesh mesh;
 };
-
-/// \brief The lines of a mesh: from vertices that do not have two edges, or around, until the next one.
-///
-/// Each edge is in one line; an isolated point is a line of one vertex, a closed line ends where it began.
-[[nodiscard]] std::vector<std::vector<std::size_t>> polylines(const Curve_mesh& mesh);
 
 /// \brief Thin curves in a frame with ticks; singular points are rings, isolated points dots, uncertified regions
 /// orange. With several curves, a legend.

@@ -10,9 +10,13 @@
 #include <corral/output/curve_meshes.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <exception>
 #include <iostream>
 #include <memory>
+#include <mutex>
+#include <thread>
 
 namespace corral::program {
 
@@ -26,6 +30,7 @@ struct Mesh_arguments
   std::string tolerance;
   std::uint64_t max_cells = std::uint64_t{1} << 21;
   unsigned repeat = 1;
+  unsigned threads = 1;
   std::vector<std::string> outputs;
   std::string format = "summary";
   unsigned size = Output_options().size;
@@ -41,13 +46,32 @@ Rational tolerance_for(const Mesh_arguments& arguments, const Rational_box<2>& b
   return tolerance;
 }
 
+/// Meshes of all curves, several at the same time.
 std::vector<Named_mesh> compute(const std::vector<std::string>& texts,
                                 const std::vector<Polynomial<Rational, 2>>& curves, const Rational_box<2>& box,
                                 const Rational& tolerance, const Run_options& run)
 {
-  std::vector<Named_mesh> meshes;
-  for (std::size_t k = 0; k < curves.size(); ++k)
-    meshes.push_back({texts[k], mesh_curve(curves[k], box, tolerance, run)});
+  std::vector<Named_mesh> meshes(curves.size());
+  std::vector<std::exception_ptr> errors(curves.size());
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t k = next++; k < curves.size(); k = next++) {
+      try {
+        meshes[k] = {texts[k], mesh_curve(curves[k], box, tolerance, run)};
+      } catch (...) {
+        errors[k] = std::current_exception();
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    const std::size_t useful =
+        std::min<std::size_t>(run.threads == 0 ? std::thread::hardware_concurrency() : run.threads, curves.size());
+    for (std::size_t k = 1; k < useful; ++k) others.emplace_back(work);
+    work();
+  }
+  for (const auto& error : errors)
+    if (error) std::rethrow_exception(error);
   return meshes;
 }
 
@@ -68,6 +92,13 @@ void mesh_command(const Mesh_arguments& arguments)
   const Rational tolerance = tolerance_for(arguments, box);
   Run_options run = progress.run();
   run.cell_budget = arguments.max_cells;
+  run.threads = arguments.threads;
+  std::mutex mutex;
+  if (run.progress)
+    run.progress = [&mutex, tell = run.progress](double done) {
+      const std::scoped_lock lock(mutex);
+      tell(done);
+    };
   std::vector<Named_mesh> meshes;
   std::vector<double> seconds;
   for (unsigned k = 0; k < arguments.repeat && (k == 0 || interrupted_by() == 0); ++k) {
@@ -125,6 +156,9 @@ void add_mesh(CLI::App& app)
   command
       ->add_option("--repeat", arguments->repeat, "run the computation so many times; the summary says the median time")
       ->check(whole_number(1))
+      ->capture_default_str();
+  command->add_option("--threads", arguments->threads, "curves to mesh at the same time; 0: one for each processor")
+      ->check(whole_number(0, 1024))
       ->capture_default_str();
   command
       ->add_option("--output", arguments->outputs, "file to write: .svg .png .json .csv .dxf or .wkt; may be repeated")
