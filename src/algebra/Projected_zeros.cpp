@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Projected_zeros.h"
 
+#include "Ball.h"
 #include "Extension.h"
 
 #include "../polynomial/Flint_ring.h"
@@ -15,29 +16,6 @@
 namespace corral::exact {
 
 namespace {
-
-/// A number m 2^-bits up to r 2^-bits.
-struct Ball
-{
-  Integer m;
-  Integer r;
-};
-
-/// p at every point of an interval, by Horner's rule in fixed point.
-Ball evaluate(const Integer_polynomial& p, const Ball& x, mp_bitcnt_t bits)
-{
-  Ball value{0, 0};
-  Integer radius;
-  for (std::size_t i = p.size(); i-- > 0;) {
-    radius = abs(value.m) * x.r + value.r * (abs(x.m) + x.r);
-    mpz_cdiv_q_2exp(radius.get_mpz_t(), radius.get_mpz_t(), bits);
-    value.m *= x.m;
-    mpz_fdiv_q_2exp(value.m.get_mpz_t(), value.m.get_mpz_t(), bits);
-    value.r = radius + 1;
-    value.m += p[i] << bits;
-  }
-  return value;
-}
 
 /// a p + b q.
 Integer_polynomial combination(const Integer_polynomial& p, const Integer& a, const Integer_polynomial& q,

@@ -2,7 +2,7 @@
 #ifndef CORRAL_SRC_DECISION_CELL_CREW_H
 #define CORRAL_SRC_DECISION_CELL_CREW_H
 
-#include <corral/decision/ideal_raster.h>
+#include <corral/decision/Ideal_result.h>
 #include <corral/errors.h>
 #include <corral/internal/algebra/Checkpoint.h>
 

@@ -5,7 +5,7 @@
 #include "../algebra/Bernstein_form.h"
 #include "Cell_crew.h"
 
-#include <corral/decision/ideal_raster.h>
+#include <corral/decision/Ideal_result.h>
 #include <corral/errors.h>
 #include <corral/internal/polynomial/integer_form.h>
 #include <corral/localization/Raster_builder.h>

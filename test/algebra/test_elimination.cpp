@@ -4,8 +4,8 @@
 #include <algebra/cofactors.h>
 #include <algebra/multivariate.h>
 
-#include <corral/polynomial/arithmetic.h>
 #include <corral/polynomial/Box.h>
+#include <corral/polynomial/arithmetic.h>
 #include <corral/polynomial/evaluate.h>
 
 #include <gtest/gtest.h>

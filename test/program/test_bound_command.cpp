@@ -39,7 +39,8 @@ TEST(Bound_command, prints_the_interval_exactly_and_rounded_outward)
 {
   const Program_run run = bound({"x^2 - 1/3", "--box", "0:1", "--number", "rational", "--bounder", "natural"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_EQ(run.out, "polynomial: x^2 - 1/3\nexact:   [-1/3, 2/3]\ndecimal: [-0.33333333333333334, 0.66666666666666667]\n");
+  EXPECT_EQ(run.out,
+            "polynomial: x^2 - 1/3\nexact:   [-1/3, 2/3]\ndecimal: [-0.33333333333333334, 0.66666666666666667]\n");
   const Program_run hex = bound({"x + 1/2", "--box", "1:3", "--number", "double_outward", "--bounder", "horner"});
   EXPECT_NE(hex.out.find("0x"), std::string::npos) << hex.out;
   EXPECT_TRUE(is_inside({Rational(3, 2), Rational(7, 2)}, ends(hex.out, "exact:")));

@@ -3,7 +3,7 @@
 #define CORRAL_SRC_PROGRAM_AUDIT_CELL_TABLE_H
 
 #include "../Input_file.h"
-#include "Raster_file.h"
+#include "Claim.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "../arguments.h"
-#include "audit_over-inl.h"
+#include "Method_audit.h"
+
+#include "../bound/make_bounder.h"
+
+#include <corral/polynomial/print.h>
 
 #include <concepts>
 
@@ -33,26 +36,6 @@ std::vector<Method> methods_over(const Audit_settings& settings, const std::stri
 }
 
 template <std::size_t D>
-Paper_subjects<D> paper_subjects()
-{
-  Paper_subjects<D> result;
-  for (const Example& example : examples()) {
-    if (example.dimension != D) continue;
-    const std::vector<Formula> text{std::string(example.polynomial)};
-    const Space space = read_space(std::string(example.box()), D == 2 ? "x,y" : "x,y,z", text);
-    result.subjects.push_back({polynomials_of<D>(space, text).front(), box_of<D>(space), example.resolution()});
-    result.numbers.push_back(example.number);
-  }
-  return result;
-}
-
-template <>
-Paper_subjects<1> paper_subjects()
-{
-  return {};
-}
-
-template <std::size_t D>
 Counterexample counterexample(const Escape<D>& escape, const Method_audit& audit, const std::string& origin)
 {
   Counterexample result;
@@ -75,8 +58,6 @@ Counterexample counterexample(const Escape<D>& escape, const Method_audit& audit
   return result;
 }
 
-template Paper_subjects<2> paper_subjects();
-template Paper_subjects<3> paper_subjects();
 template Counterexample counterexample(const Escape<1>&, const Method_audit&, const std::string&);
 template Counterexample counterexample(const Escape<2>&, const Method_audit&, const std::string&);
 template Counterexample counterexample(const Escape<3>&, const Method_audit&, const std::string&);

@@ -68,6 +68,11 @@ struct Method_audit
 /// The methods of one number type to audit, all orders of a bounder in succession.
 [[nodiscard]] std::vector<Method> methods_over(const Audit_settings& settings, const std::string& number);
 
+/// A value that a bound of `audit.method` lost, with the command that shows it again.
+template <std::size_t D>
+[[nodiscard]] Counterexample counterexample(const Escape<D>& escape, const Method_audit& audit,
+                                            const std::string& origin);
+
 /// \brief Audits all methods of one number type in all dimensions, dimension by dimension. Each type is compiled in a
 /// source of its own, which the build makes.
 /// \throw Cancelled if it is stopped.

@@ -3,7 +3,9 @@
 #define CORRAL_SRC_PROGRAM_AUDIT_PIXEL_PICTURE_H
 
 #include "../Input_file.h"
-#include "Raster_file.h"
+#include "Claim.h"
+
+#include <corral/localization/Grid.h>
 
 #include <functional>
 

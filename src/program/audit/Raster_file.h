@@ -2,37 +2,18 @@
 #ifndef CORRAL_SRC_PROGRAM_AUDIT_RASTER_FILE_H
 #define CORRAL_SRC_PROGRAM_AUDIT_RASTER_FILE_H
 
+#include "Claim.h"
+
 #include <corral/localization/Grid.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 /// \file
 /// Rasters that some other program made: which cells it plots, and what it claims of them.
 namespace corral::program {
-
-/// What a raster says of a cell that it plots, the strongest last.
-enum class Claim : std::uint8_t {
-  plotted, ///< nothing but that
-  unknown, ///< that it does not know
-  hit      ///< that the curve or surface is proved to pass through
-};
-
-[[nodiscard]] constexpr std::string_view name_of(Claim claim)
-{
-  switch (claim) {
-  case Claim::hit:
-    return "hit";
-  case Claim::unknown:
-    return "unknown";
-  case Claim::plotted:
-    break;
-  }
-  return "plotted";
-}
 
 template <std::size_t D>
 struct Claimed_cell
@@ -46,14 +27,6 @@ struct Foreign_raster
 {
   std::vector<Claimed_cell<D>> cells; ///< sorted by their index, each once
   std::uint64_t repeated = 0;         ///< rows that named a cell again
-};
-
-struct Raster_options
-{
-  std::vector<std::string> variables;    ///< names of the axes that a header may use
-  bool invert = false;                   ///< pictures are light on dark
-  std::uint64_t max_rows = 50'000'000;   ///< of a table
-  std::uint64_t max_pixels = 1ULL << 26; ///< of a picture
 };
 
 /// \brief Reads a table (CSV) or, in two dimensions, a PNG picture, told apart by their first bytes.

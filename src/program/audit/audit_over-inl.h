@@ -4,27 +4,10 @@
 
 #include "../Progress.h"
 #include "../bound/make_bounder.h"
-#include "../reproduce/examples.h"
 #include "Method_audit.h"
+#include "Paper_subjects.h"
 
 namespace corral::program {
-
-/// The paper's examples of D dimensions, with their numbers.
-template <std::size_t D>
-struct Paper_subjects
-{
-  std::vector<Audit_subject<D>> subjects;
-  std::vector<int> numbers;
-};
-
-/// Empty unless D is 2 or 3. Compiled once, in `Method_audit.cpp`.
-template <std::size_t D>
-[[nodiscard]] Paper_subjects<D> paper_subjects();
-
-/// Compiled once, in `Method_audit.cpp`.
-template <std::size_t D>
-[[nodiscard]] Counterexample counterexample(const Escape<D>& escape, const Method_audit& audit,
-                                            const std::string& origin);
 
 /// Adds what an audit of one kind of cases saw.
 template <std::size_t D, class Origin>

@@ -2,9 +2,13 @@
 #ifndef CORRAL_SRC_PROGRAM_LOCALIZE_PAPER_ENGINE_H
 #define CORRAL_SRC_PROGRAM_LOCALIZE_PAPER_ENGINE_H
 
-#include "engine.h"
+#include "Localize_settings.h"
 
+#include <corral/localization/Raster.h>
 #include <corral/number/Interval_number.h>
+#include <corral/polynomial/Polynomial.h>
+
+#include <vector>
 
 namespace corral::program {
 
