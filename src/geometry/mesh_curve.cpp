@@ -167,8 +167,8 @@ private:
   Curve_mesh mesh_;
 };
 
-/// False if each choice of first cuts meets what it should not.
-bool run(Curve_cells& curve)
+/// Runs with the first choice of cuts that meets nothing special; false if none does.
+bool finds_generic_cuts(Curve_cells& curve)
 {
   for (const auto& cuts : first_cuts) {
     try {
@@ -201,7 +201,7 @@ Curve_mesh mesh_curve(const Polynomial<Rational, 2>& f, const Rational_box<2>& b
   if (!parts.rest.is_constant()) {
     const auto on_unit = on_unit_box(parts.rest, box);
     Curve_cells curve(on_unit, singular, settings);
-    if (!run(curve)) {
+    if (!finds_generic_cuts(curve)) {
       Curve_mesh nothing;
       nothing.box = box;
       nothing.uncertified.push_back({box, "each choice of first cuts meets a special point of the curve"});
