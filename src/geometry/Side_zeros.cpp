@@ -74,7 +74,8 @@ bool shorten(Part& part, double width)
 {
   double reach = 0.125; // the guess by the secant should be as good as this
   while (part.high - part.low > width) {
-    const double middle = part.b.front() / (part.b.front() - part.b.back());
+    const double secant = part.b.front() / (part.b.front() - part.b.back());
+    const double middle = secant >= 0 && secant <= 1 ? secant : 0.5; // the doubles at the ends may have equal signs
     const double below = std::floor((middle - reach) * 0x1p12) * 0x1p-12; // few bits, exact in what follows
     const double above = std::ceil((middle + reach) * 0x1p12) * 0x1p-12;
     bool guessed = true;
