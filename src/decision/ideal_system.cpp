@@ -61,6 +61,7 @@ template <std::size_t D>
 Ideal_raster<D> ideal_raster(const std::vector<Polynomial<Rational, D>>& system, const Raster<D>& candidates,
                              const Run_options& run, const Ideal_raster_options& options)
 {
+  if (system.size() == 1) return ideal_raster(system.front(), candidates, run, options); // intervals help there
   exact::require_guaranteed(candidates);
   const auto make_decider = [system, grid = candidates.grid()](const Checkpoint& checkpoint) {
     return System_decider<D>(system, grid, checkpoint, Witnesses::simple);

@@ -155,6 +155,19 @@ TEST(Ideal_system, leaves_no_cell_of_well_known_curves_unknown)
   }
 }
 
+TEST(Ideal_system, decides_one_polynomial_by_intervals_too)
+{
+  const auto f = parse_polynomial<2>("x^2+y^2-7/3", {"x", "y"});
+  const auto all = check::all_cells<2>(Grid<2>({Rational_interval(-2, 2), Rational_interval(-2, 2)}, {16, 16}));
+  const auto alone = ideal_raster(f, all);
+  const auto system = ideal_raster(std::vector{f}, all);
+  EXPECT_TRUE(system.raster == alone.raster);
+  EXPECT_EQ(system.rungs.hit, alone.rungs.hit);
+  EXPECT_EQ(system.rungs.empty, alone.rungs.empty);
+  EXPECT_GT(system.rungs.empty[static_cast<std::size_t>(Rung::intervals)], 0U);
+  EXPECT_THROW((void)ideal_raster(std::vector(1, Polynomial<Rational, 2>{}), all), Invalid_input);
+}
+
 TEST(Ideal_system, refuses_what_is_no_system_of_two)
 {
   const Grid<2> grid({Rational_interval(0, 1), Rational_interval(0, 1)}, {4, 4});

@@ -45,6 +45,7 @@ private:
 };
 
 /// \brief Decides every unknown cell of `candidates` for the common zeros of a system of one or two polynomials.
+/// One is decided as `ideal_raster` of it does.
 /// \pre and \throw as for `System_decider` and `ideal_raster`.
 template <std::size_t D>
 [[nodiscard]] Ideal_raster<D> ideal_raster(const std::vector<Polynomial<Rational, D>>& system,
