@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "algebra/constant_slope.h"
 
-#include <corral/polynomial/integer_form.h>
+#include <corral/internal/polynomial/integer_form.h>
 #include <corral/polynomial/parse.h>
 
 #include <gtest/gtest.h>
