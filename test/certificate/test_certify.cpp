@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -248,12 +249,9 @@ TEST(Certify, keeps_what_it_has_proved_when_stopped)
 TEST(Certify, keeps_what_it_has_proved_when_a_long_step_is_left)
 {
   const auto f = parse_polynomial<2>("(x^30 + y^30 - 1)^2 + (x - y)^60", names<2>());
-  Certify_options options;
-  int asked = 0;
-  options.progress = [&](double) { return ++asked < 400; };
-  options.patience = std::chrono::milliseconds(0);
-  const auto certificate = certify(f, cube<2>("-2", "2", 64), options);
-  EXPECT_EQ(asked, 400);
+  const test::Stopping_run run(400);
+  const auto certificate = certify(f, cube<2>("-2", "2", 64), run.options, {.patience = std::chrono::milliseconds(0)});
+  EXPECT_EQ(*run.reports, 400U);
   EXPECT_GT(certificate.empty, 0U);
   EXPECT_GT(certificate.unknown, 0U);
   EXPECT_EQ(certificate.empty + certificate.hit + certificate.unknown, 64U * 64U);
@@ -264,9 +262,7 @@ TEST(Certify, proves_the_same_whether_it_is_patient_or_not)
 {
   for (const auto* const text : {"(y - x^5)^2 + 1/10^14", "x^2 + y^2 - 1", "(x^2 - 2)^2 + (y^2 - 3)^2"}) {
     const auto f = parse_polynomial<2>(text, names<2>());
-    Certify_options options;
-    options.patience = std::chrono::milliseconds(0);
-    EXPECT_EQ(to_json(certify(f, cube<2>("-2", "2", 8), options), names<2>()),
+    EXPECT_EQ(to_json(certify(f, cube<2>("-2", "2", 8), {}, {.patience = std::chrono::milliseconds(0)}), names<2>()),
               to_json(certify(f, cube<2>("-2", "2", 8)), names<2>()))
         << text;
   }

@@ -3,12 +3,13 @@
 #include "random_curves.h"
 #include "rounds.h"
 
-#include <corral/localization/localize_fast.h>
+#include <corral/decision/ideal_raster.h>
+#include <corral/localization/connected_components.h>
+#include <corral/localization/localize.h>
 #include <corral/polynomial/print.h>
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -19,40 +20,9 @@ namespace {
 
 constexpr std::uint32_t cells = 96;
 
-Ideal_raster<2> ideal(const Polynomial<Rational, 2>& f, const Rational_box<2>& box)
+Raster<2> ideal(const Polynomial<Rational, 2>& f, const Rational_box<2>& box)
 {
-  const Grid<2> grid(box, {cells, cells});
-  return ideal_raster(f, grid, localize_fast<2>(f, grid).cells);
-}
-
-/// How many pieces hang together of the cells that are hit, corners included.
-std::size_t pieces(const Cell_set<2>& raster)
-{
-  std::vector<std::size_t> parent(std::size_t{cells} * cells, 0);
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  const auto find = [&](std::size_t c) {
-    while (parent[c] != c) c = parent[c] = parent[parent[c]];
-    return c;
-  };
-  const auto is_hit = [&](std::uint32_t i, std::uint32_t j) { return raster.at({i, j}) == Verdict::hit; };
-  std::size_t count = 0;
-  for (std::uint32_t i = 0; i < cells; ++i)
-    for (std::uint32_t j = 0; j < cells; ++j) {
-      if (!is_hit(i, j)) continue;
-      ++count;
-      const auto join = [&](std::uint32_t k, std::uint32_t l) {
-        if (k >= cells || l >= cells || !is_hit(k, l)) return;
-        const auto a = find(std::size_t{i} * cells + j);
-        const auto b = find(std::size_t{k} * cells + l);
-        if (a != b) --count;
-        parent[a] = b;
-      };
-      if (i > 0) join(i - 1, j);
-      if (j > 0) join(i, j - 1);
-      if (i > 0 && j > 0) join(i - 1, j - 1);
-      if (i > 0) join(i - 1, j + 1);
-    }
-  return count;
+  return ideal_raster(f, localize(f, Grid<2>(box, {cells, cells}))).raster;
 }
 
 /// Whether a segment meets a closed box: its line separates no corners from others, or its ends do not lie beyond a
@@ -87,9 +57,9 @@ TEST(rasters, have_the_pieces_of_the_mesh)
                            "((x-1)^2+y^2-1/4)*((x+1)^2+y^2-1/4)*(y-2)", "x*y-1", "y^2-x^3", "x^4+y^4-1"}) {
     const auto f = test::curve(text);
     const auto box = test::box(-3, 3, -3, 3);
-    const auto mesh = mesh_curve(f, box, {Rational(1, 20)});
+    const auto mesh = mesh_curve(f, box, Rational(1, 20));
     const auto raster = ideal(f, box);
-    EXPECT_EQ(mesh.components.size(), pieces(raster.cells)) << text;
+    EXPECT_EQ(mesh.components.size(), connected_components(raster).size()) << text;
   }
 }
 
@@ -103,7 +73,7 @@ TEST(rasters, are_covered_by_the_mesh)
   for (int round = 0; round < test::rounds(12); ++round) {
     const auto f = transform<Rational>(curves.next(), [](const Integer& c) { return Rational(c); });
     const Rational tolerance(1, 50);
-    auto mesh = mesh_curve(f, box, {tolerance});
+    auto mesh = mesh_curve(f, box, tolerance);
     const auto raster = ideal(f, box);
     const auto is_covered = [&](std::uint32_t i, std::uint32_t j) {
       const auto from = [&](std::uint32_t k) { return Rational(k * side - 3); };
@@ -113,7 +83,7 @@ TEST(rasters, are_covered_by_the_mesh)
     std::optional<std::array<std::uint32_t, 2>> last;
     for (std::uint32_t i = 0; i < cells; i += 5)
       for (std::uint32_t j = 0; j < cells; ++j) {
-        if (raster.cells.at({i, j}) != Verdict::hit) continue;
+        if (raster.verdict({i, j}) != Verdict::hit) continue;
         ++hits;
         last = {i, j};
         EXPECT_TRUE(is_covered(i, j)) << to_string(f, {"x", "y"}) << ", cell " << i << ' ' << j;

@@ -39,14 +39,14 @@ private:
 };
 
 template <std::size_t D>
-Raster<D> read(const std::string& bytes, const Resolution<D>& resolution, const Raster_options& options = {})
+Foreign_raster<D> read(const std::string& bytes, const Resolution<D>& resolution, const Raster_options& options = {})
 {
   return read_raster<D>(Memory_file(bytes).path(), resolution, options);
 }
 
 // `i,j:claim` for each cell.
 template <std::size_t D>
-std::string text(const Raster<D>& raster)
+std::string text(const Foreign_raster<D>& raster)
 {
   std::string result;
   for (const auto& [cell, claim] : raster.cells) {

@@ -8,6 +8,7 @@
 #include <corral/audit/audit_number.h>
 #include <corral/audit/root_oracles.h>
 #include <corral/bounders/Any_bounder.h>
+#include <corral/localization/Raster_builder.h>
 #include <corral/localization/localize.h>
 #include <corral/number/all.h>
 #include <corral/output/all.h>
@@ -43,7 +44,7 @@ TEST(Recipes, a_number_type_is_what_the_program_computes_with)
 {
   using namespace program;
   const Method method{.bounder = "maa", .number = "stranger"};
-  const Bound_problem problem{{{"x"}, {Rational_interval(0, 1)}}, "x^2 - x", method};
+  const Bound_problem problem{{{"x"}, {Rational_interval(0, 1)}}, std::string("x^2 - x"), method};
   EXPECT_EQ(bound_over<Stranger_interval>(problem).exact, "[-1/4, 0]");
   const Grid<2> grid(square_of_side_4, {16, 16});
   Localize_settings settings;
