@@ -86,8 +86,8 @@ TEST(Stopping, a_localisation_keeps_what_is_proved_or_nothing)
     limits.seconds = 30;
     limits.interrupt_after = std::chrono::milliseconds(1500);
     limits.signals = {signal};
-    const auto run = run_program({"localize", "(x^2 + y^2 - 1/3)^2 + (x - y)^6/7", "--box", "-2:2,-2:2", "--resolution",
-                                  "1024", "--number", "rational", "--plus", "--output", "a.csv"},
+    const auto run = run_program({"localize", "x^30 + y^30 - x*y/7 - 1/3", "--box", "-2:2,-2:2", "--resolution", "4096",
+                                  "--number", "rational", "--plus", "--output", "a.csv"},
                                  limits);
     EXPECT_EQ(run.exit_code, 128 + signal) << run.err;
     expect_one_line(run.err, "interrupted");
