@@ -72,7 +72,7 @@ TEST(products_of_circles, have_the_components_that_the_distances_tell)
 TEST(sums_of_squares, are_the_common_zeros)
 {
   std::mt19937 random(7);
-  const auto pick = [&] { return Rational(static_cast<long>(random() % 15) - 7, 3); };
+  const auto pick = [&] { return Rational(Rational(static_cast<long>(random() % 15) - 7) / 3); };
   for (int round = 0; round < test::rounds(40); ++round) {
     const auto conic = [&] {
       return collect<Rational, 2>(

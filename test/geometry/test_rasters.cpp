@@ -68,7 +68,7 @@ TEST(rasters, are_covered_by_the_mesh)
 {
   test::Random_curves curves(5);
   const auto box = test::box(-3, 3, -3, 3);
-  const Rational side(6, cells);
+  const Rational side = Rational(6) / cells;
   std::size_t hits = 0;
   for (int round = 0; round < test::rounds(12); ++round) {
     const auto f = transform<Rational>(curves.next(), [](const Integer& c) { return Rational(c); });
